@@ -13,11 +13,16 @@ from run import browser
 from test_serve import SCENE, serving
 
 KEYS = 20
-# Notes when a key goes down and when the results of a text are there.
+# Notes when a key goes down, when the results of a text are there, and when its runs in time are there too.
 WATCH = """() => {
-    window.keys = []; window.shown = [];
+    window.keys = []; window.shown = []; window.whole = [];
     addEventListener("keydown", () => window.keys.push(performance.now()), true);
-    new MutationObserver(() => window.shown.push(performance.now())).observe(document.getElementById("verdict"), { childList: true });
+    const told = () => {
+        const now = performance.now();
+        window.shown.push(now);
+        if (!document.querySelector("#verdict .awaited")) window.whole.push(now);
+    };
+    new MutationObserver(told).observe(document.getElementById("verdict"), { childList: true });
 }"""
 # Every frame another position, for two seconds; the time between frames.
 SLIDE = """() => new Promise((done) => {
@@ -62,12 +67,14 @@ def keystrokes(chromium):
             took = []
             for _ in range(KEYS):
                 page.wait_for_timeout(100)
-                page.evaluate("() => { keys.length = shown.length = 0; }")
+                page.evaluate("() => { keys.length = shown.length = whole.length = 0; }")
                 page.keyboard.press("x")
-                page.wait_for_function("() => shown.length > 0")
-                took.append(page.evaluate("shown[0] - keys[0]"))
-            took.sort()
-            row(f"{scene.stem}: keystroke to results, 95 of 100", took[int(0.95 * len(took)) - 1], "ms", 100)
+                page.wait_for_function("() => whole.length > 0")
+                took.append(page.evaluate("[shown[0] - keys[0], whole[0] - keys[0], whole[0] > shown[0]]"))
+            first, all_of_it, awaited = (sorted(each)[int(0.95 * len(each)) - 1] for each in zip(*took))
+            row(f"{scene.stem}: keystroke to results, 95 of 100", first, "ms", 100)
+            if awaited:
+                print(f"{'… with its runs in time':<60} {all_of_it:>8.1f} ms", flush=True)
             page.close()
 
 

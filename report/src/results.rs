@@ -45,13 +45,25 @@ impl Results {
     /// # Errors
     /// The scene's model cannot be built, or a position of its range does not exist.
     pub fn new(scene: &Scene) -> Result<Results, Fault> {
+        Results::told(scene, Scene::sheet)
+    }
+
+    /// The same without runs in time.
+    ///
+    /// # Errors
+    /// As [`new`](Results::new).
+    pub fn at_rest(scene: &Scene) -> Result<Results, Fault> {
+        Results::told(scene, Scene::sheet_at_rest)
+    }
+
+    fn told(scene: &Scene, sheet: fn(&Scene) -> Sheet) -> Result<Results, Fault> {
         let model = scene.model()?;
         let varying = model.varying();
         let columns = varying.iter().map(|&index| model.variables()[index]).collect();
         Ok(Results {
             rows: model.rows(&varying).collect::<Result<_, Fault>>()?,
             scene: scene.clone(),
-            sheet: scene.sheet(),
+            sheet: sheet(scene),
             columns,
         })
     }

@@ -24,7 +24,7 @@ fn scenes() -> Vec<(PathBuf, String)> {
 }
 
 fn shown(text: &str, language: usize) -> Value {
-    let answer = Answer::in_language(text, &LANGUAGES[language]);
+    let answer = Answer::in_language(text, &LANGUAGES[language], false);
     assert!(answer.diagnostics.is_empty(), "{:?}", answer.diagnostics);
     serde_json::to_value(answer).expect("plain data")["shown"].clone()
 }

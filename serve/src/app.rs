@@ -50,6 +50,8 @@ struct Asked {
     /// Which page asks, and its how many-eth edit this is.
     page: u64,
     edit: u64,
+    /// Whether runs in time can wait.
+    at_rest: bool,
     /// The id of a scene.
     scene: String,
     /// Of its text, when it was read.
@@ -200,8 +202,10 @@ impl<S: Service> App<S> {
         if self.latest.overtaken(page, edit) {
             return Err(Refusal::new(StatusCode::CONFLICT, "overtaken"));
         }
-        self.thread(place, move |service| service.answer(&asked.text, &asked.language))
-            .await
+        self.thread(place, move |service| {
+            service.answer(&asked.text, &asked.language, asked.at_rest)
+        })
+        .await
     }
 
     /// What takes a moment is computed beside what waits, on no more threads than there are cores.

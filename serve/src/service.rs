@@ -9,8 +9,8 @@ use serde::Serialize;
 pub trait Service: Send + Sync + 'static {
     /// What the page needs before all else: words, languages, scenes.
     fn start(&self) -> String;
-    /// What a text gives.
-    fn answer(&self, text: &str, language: &str) -> String;
+    /// What a text gives; without runs in time, which take the longest, where it is asked of it at rest.
+    fn answer(&self, text: &str, language: &str, at_rest: bool) -> String;
     /// How a text moves in time, frame by frame.
     fn runs(&self, text: &str, language: &str) -> String;
     /// What may be written at a code unit of UTF-16.

@@ -85,7 +85,7 @@ impl Answer {
     /// Of a text, of which nothing need be right: every result in SI.
     #[must_use]
     pub fn new(text: &str) -> Answer {
-        let results = found(text);
+        let results = found(text, Results::new);
         Answer {
             told: results.as_ref().ok().map(Told::new),
             shown: None,
@@ -93,10 +93,12 @@ impl Answer {
         }
     }
 
-    /// Of a text as [`new`](Answer::new): what a person reads of it in a language.
+    /// Of a text as [`new`](Answer::new): what a person reads of it in a language, without runs in time where it is asked
+    /// of it at rest.
     #[must_use]
-    pub fn in_language(text: &str, language: &'static Language) -> Answer {
-        let shown = found(text).and_then(|results| {
+    pub fn in_language(text: &str, language: &'static Language, at_rest: bool) -> Answer {
+        let of = if at_rest { Results::at_rest } else { Results::new };
+        let shown = found(text, of).and_then(|results| {
             Shown::new(&results, language).map_err(|fault| vec![Mistake::new(&Places::new(text), &unplaced(&fault))])
         });
         let (shown, diagnostics) = match shown {
@@ -130,10 +132,10 @@ impl Answer {
     }
 }
 
-fn found(text: &str) -> Result<Results, Vec<Mistake>> {
+fn found(text: &str, of: fn(&Scene) -> Result<Results, Fault>) -> Result<Results, Vec<Mistake>> {
     let places = Places::new(text);
     let scene = Scene::parse(text);
-    let results = scene.and_then(|scene| Results::new(&scene).map_err(|fault| vec![unplaced(&fault)]));
+    let results = scene.and_then(|scene| of(&scene).map_err(|fault| vec![unplaced(&fault)]));
     results.map_err(|found| found.iter().map(|one| Mistake::new(&places, one)).collect())
 }
 

@@ -44,6 +44,8 @@ pub struct Shown {
     pub drawing: Drawn,
     /// Whether the book has runs in time.
     pub runs: bool,
+    /// Whether these were not asked for.
+    pub awaits_runs: bool,
 }
 
 /// Something that is asked of a result.
@@ -328,7 +330,8 @@ impl Shown {
             published: sheet.published.iter().map(published).collect(),
             given: scene.given.written().iter().map(Said::from).collect(),
             drawing: Drawn::new(scene, rows.iter().map(|row| row[0])),
-            runs: sheet.motion.is_some() || sheet.cycle.is_some(),
+            runs: sheet.motion.is_some() || sheet.cycle.is_some() || sheet.awaits_runs,
+            awaits_runs: sheet.awaits_runs,
         })
     }
 }

@@ -21,6 +21,7 @@ const NAME: &str = "scene";
 
 /// Answers until there are no more lines.
 pub fn run() -> Result<(), Failure> {
+    Embedded::prepare();
     let templates = Templates::embedded();
     for line in std::io::stdin().lock().lines() {
         let line = line.map_err(|error| Failure::File(format!("cannot read the standard input: {error}")))?;

@@ -140,8 +140,8 @@ impl Service for Desk {
         }))
     }
 
-    fn answer(&self, text: &str, language: &str) -> String {
-        written(&Answer::in_language(text, found(language)))
+    fn answer(&self, text: &str, language: &str, at_rest: bool) -> String {
+        written(&Answer::in_language(text, found(language), at_rest))
     }
 
     fn runs(&self, text: &str, language: &str) -> String {

@@ -16,7 +16,7 @@ import { Handles } from "./handles.js";
 import { Player } from "./player.js";
 import { Runs } from "./runs.js";
 import { Scenes } from "./scenes.js";
-import { Table, verdict } from "./tables.js";
+import { Table, expecting, verdict } from "./tables.js";
 import { Tabs } from "./tabs.js";
 import { current, measured, speak, word } from "./words.js";
 import { Work } from "./work.js";
@@ -45,6 +45,7 @@ const book = new Book(byId("pages"));
 const tabs = new Tabs(byId("tabs"), refresh);
 const editor = new Editor(byId("editor"), () => {
   handles.release();
+  book.note();
   scenes.changed(editor.text);
   answer();
 });
@@ -57,18 +58,26 @@ const gallery = new Gallery((id) => scenes.show(id).catch(failed));
 const failed = (error) => say(error.message);
 new Work(design, beside, failed);
 
-const answer = newest(async () => {
-  edit += 1;
-  const text = editor.text;
+// What a text gives, unless a newer one is there: that is asked for next.
+async function found(asked, then) {
   try {
-    const found = await told("answer", { text, language: current(), page, edit });
-    // A newer text is asked for next.
-    if (text !== editor.text) return;
-    tell(found);
+    const answer = await told("answer", { language: current(), page, ...asked });
+    if (asked.text === editor.text) then(answer);
   } catch (error) {
     if (!(error instanceof Refused && error.status === 409)) failed(error);
   }
+}
+
+// At once all but runs in time, then these.
+const answer = newest(async () => {
+  edit += 1;
+  const asked = { text: editor.text, edit };
+  await found({ ...asked, at_rest: true }, (first) => {
+    tell(first);
+    if (first.shown?.awaits_runs) whole(asked);
+  });
 });
+const whole = newest((asked) => found(asked, complete));
 
 function tell({ diagnostics, shown: next }) {
   editor.mark(diagnostics);
@@ -95,11 +104,21 @@ function show(next) {
   shown = next;
   byId("title").textContent = shown.title;
   document.title = `${shown.title} – Lemnis`;
-  verdict(byId("verdict"), shown, { curve: choose, formula });
+  verdict(byId("verdict"), expecting(shown, before), { curve: choose, formula });
   if (!before || before.name !== shown.name || !chosen?.size) chosen = new Set(usual());
   if (byId("choice").open) choice();
   runs.of(editor.text, shown.runs);
   view(before);
+}
+
+// With runs in time what stands in view stays.
+function complete({ shown: next }) {
+  if (!next) return;
+  for (const design of kept) if (design.shown === shown) design.shown = next;
+  shown = next;
+  verdict(byId("verdict"), shown, { curve: choose, formula });
+  runs.of(editor.text, shown.runs);
+  if (tabs.current === "comparison") refresh();
 }
 
 // The working range, or a run that was chosen.

@@ -17,10 +17,10 @@ function line({ symbol, of, label }, value, asked, ...rest) {
 
 function requirements(list, asked) {
   const row = (one) => {
-    const { sentence, value, limit, passed, verdict, utilisation } = one;
+    const { sentence, value, limit, passed, verdict, utilisation, old } = one;
     const used = h("span", {}, utilisation ? `${utilisation} % ` : "", h("strong", {}, script(verdict)));
     const both = h("span", {}, script(value), " ", script(limit));
-    return h("li", { class: passed ? "kept" : "broken" }, h("div", {}, script(sentence)), line(one, both, asked, used));
+    return h("li", { class: `${passed ? "kept" : "broken"}${old ? " old" : ""}` }, h("div", {}, script(sentence)), line(one, both, asked, used));
   };
   return h("ul", { class: "results" }, ...list.map(row));
 }
@@ -31,18 +31,32 @@ function results(list, asked) {
   return h("ul", { class: "results" }, ...list.map(row));
 }
 
+// Results of which runs in time are still awaited, with those of the design before in their places.
+export function expecting(next, before) {
+  if (!next.awaits_runs || before?.name !== next.name) return next;
+  const key = ({ sentence, of }) => JSON.stringify([sentence, of]);
+  const kept = (list) => {
+    const known = new Set(next[list].map(key));
+    const gone = before[list].filter((one) => !known.has(key(one)));
+    return [...next[list], ...gone.map((one) => ({ ...one, old: true }))];
+  };
+  return { ...next, requirements: kept("requirements"), identities: kept("identities"), expected: before.warnings };
+}
+
 // What is always in view; `asked` takes the name of a result whose `curve` is wanted, the label of one whose `formula` is.
 export function verdict(host, shown, asked) {
   const part = (title, ...content) => [h("h2", {}, title), ...content];
   // What someone has unfolded stays so.
   const before = new Set([...host.querySelectorAll("details[open]")].map(({ id }) => id));
   const folded = (id, title, open, content) => h("details", { id, open: open || before.has(id) }, h("summary", {}, title), content);
-  const broken = shown.requirements.some(({ passed }) => !passed);
+  const broken = shown.requirements.some(({ passed, old }) => !passed && !old);
   const apart = shown.identities.some(({ passed }) => !passed);
+  const awaited = shown.awaits_runs ? h("span", { class: "quiet awaited" }, ` (${word("page.awaits_runs")})`) : null;
   host.replaceChildren(
-    ...part(word("caption.requirements"), h("p", { class: broken ? "broken" : "kept" }, script(shown.verdict))),
+    ...part(word("caption.requirements"), h("p", { class: broken ? "broken" : "kept" }, script(shown.verdict), awaited)),
     ...(shown.requirements.length ? [requirements(shown.requirements, asked)] : []),
     ...shown.warnings.map((warning) => h("p", { class: "warning" }, script(warning))),
+    ...(shown.expected ?? []).map((warning) => h("p", { class: "warning old" }, script(warning))),
     ...(shown.governing.length ? part(word("caption.governing"), results(shown.governing, asked)) : []),
     ...(shown.summary.length ? [folded("whole", word("caption.summary"), false, results(shown.summary, asked))] : []),
     ...(shown.identities.length ? [folded("identities", word("chapter.identities"), apart, requirements(shown.identities, asked))] : []),
