@@ -80,12 +80,12 @@ const answer = newest(async () => {
 const whole = newest((asked) => found(asked, complete));
 
 function tell({ diagnostics, shown: next }) {
-  editor.mark(diagnostics);
-  mistakes(diagnostics);
   byId("stale").hidden = Boolean(next);
   byId("stage").classList.toggle("old", !next);
   byId("verdict").classList.toggle("old", !next);
   if (next) show(next);
+  editor.mark(diagnostics);
+  mistakes(diagnostics);
 }
 
 function mistakes(list) {
