@@ -202,10 +202,12 @@ impl Templates {
         let mut environment = environment(words.clone());
         let folder = self.folder.as_deref();
         for (name, source) in TEMPLATES {
-            let original = format!("lemnis/{name}");
-            environment
-                .add_template_owned(original, *source)
-                .map_err(|error| describe(folder, &error))?;
+            // Only a user's own templates extend these.
+            if !self.own.is_empty() {
+                environment
+                    .add_template_owned(format!("lemnis/{name}"), *source)
+                    .map_err(|error| describe(folder, &error))?;
+            }
             let source = own(name).unwrap_or(source).to_owned();
             environment
                 .add_template_owned(*name, source)

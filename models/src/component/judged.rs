@@ -1,8 +1,8 @@
 //! Results of the whole range, and what the scene asks of them.
 
 use crate::component::description::{Described, Description};
-use crate::component::governing::Peaks;
 use crate::component::outline::{Bound, Greatest, Most};
+use crate::component::peaks::Peaks;
 use crate::component::running::Running;
 use crate::component::sheet::{Check, Summary};
 use crate::component::standing::Standing;

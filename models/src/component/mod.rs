@@ -19,6 +19,7 @@ pub mod moving;
 pub mod outline;
 pub mod over_time;
 pub mod part;
+pub mod peaks;
 pub mod probe;
 pub mod running;
 pub mod scalar;

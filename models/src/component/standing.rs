@@ -351,19 +351,6 @@ impl Standing {
         }
     }
 
-    /// Finds an integral over the range, and with it those of the results beside its own, which come with that at each place.
-    pub(super) fn find_integral(&mut self, place: usize) -> Result<(), Fault> {
-        let spots = &self.now.spots;
-        let all = self.wholes.iter().enumerate();
-        let beside = all.filter(|(i, other)| spots[*i].is_none() && other.is_beside(&self.wholes[place]));
-        let (open, spreads): (Vec<usize>, Vec<&Spread>) = beside.unzip();
-        let found = Spread::find_integrals(&spreads, &*self.now.part, &self.motion).map_err(|fault| *fault)?;
-        for (place, spot) in open.into_iter().zip(found) {
-            self.now.spots[place] = Some(spot);
-        }
-        Ok(())
-    }
-
     /// A result by the table, where that has it. Out of the way of the closed form.
     #[inline(never)]
     fn interpolated(&self, index: usize) -> Result<Option<f64>, Fault> {

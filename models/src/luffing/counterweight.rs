@@ -7,7 +7,7 @@ use crate::balance::scene::{Form, PublishedBalance};
 use crate::balance::{Balance, symbols as b};
 use crate::component::draw::{Draw, polar};
 use crate::component::extreme::Extreme;
-use crate::component::governing::Peaks;
+use crate::component::peaks::Peaks;
 use crate::component::running::Running;
 use crate::component::sheet::{BalanceSheet, Curve, Drawing, Measure, RestingPlace, Summary};
 use crate::component::standing::Standing;

@@ -2,6 +2,7 @@
 
 use crate::component::part::Port;
 use crate::component::running::{Running, State, Tangent};
+use crate::component::spread::Spread;
 use crate::component::standing::{Direction, Now, Standing, VariablePlace};
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::{Fault, PART_OF_RANGE, Quantity, Role, Terminal, Type, Variable};
@@ -61,6 +62,19 @@ impl Standing {
     #[must_use]
     pub fn has_part_of_range(&self) -> bool {
         matches!(self.places.last(), Some(VariablePlace::Part))
+    }
+
+    /// Finds an integral over the range, and with it those of the results beside its own, which come with that at each place.
+    fn find_integral(&mut self, place: usize) -> Result<(), Fault> {
+        let spots = &self.now.spots;
+        let all = self.wholes.iter().enumerate();
+        let beside = all.filter(|(i, other)| spots[*i].is_none() && other.is_beside(&self.wholes[place]));
+        let (open, spreads): (Vec<usize>, Vec<&Spread>) = beside.unzip();
+        let found = Spread::find_integrals(&spreads, &*self.now.part, &self.motion).map_err(|fault| *fault)?;
+        for (place, spot) in open.into_iter().zip(found) {
+            self.now.spots[place] = Some(spot);
+        }
+        Ok(())
     }
 }
 

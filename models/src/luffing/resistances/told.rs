@@ -1,9 +1,9 @@
 //! The chapter of the cases, and their checks.
 
 use crate::component::description::{Described, Description};
-use crate::component::governing::Peaks;
 use crate::component::outline::Most;
 use crate::component::part::Component;
+use crate::component::peaks::Peaks;
 use crate::component::probe::slots;
 use crate::component::running::Running;
 use crate::component::sheet::{CasesSheet, Summary, Table, WorkedCase};
