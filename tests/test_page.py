@@ -429,6 +429,13 @@ def test_runs_are_played_in_time(chromium):
         expect(page.locator("#run option:checked")).to_have_text(names["slew_and_stop"])
         page.select_option("#run", index=0)
         expect(page.locator("#place")).to_contain_text("θ")
+        # What runs in time have to say comes after the rest, to the same place.
+        identities = page.locator("#identities li").all_text_contents()
+        page.locator(".cm-content").focus()
+        page.keyboard.press("ControlOrMeta+End")
+        page.keyboard.type("\n#")
+        expect(page.locator("#verdict .old, #verdict .awaited")).to_have_count(0)
+        assert page.locator("#identities li").all_text_contents() == identities != []
         assert page.locator("#plan").is_hidden() and page.locator(".handle").count() > 0
         assert seen.wrong == []
         seen.context.close()

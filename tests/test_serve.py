@@ -75,6 +75,18 @@ def served():
         yield one
 
 
+def test_results_at_rest_come_without_runs_in_time(served):
+    text = (ROOT / "models/scenes/portal_crane.toml").read_text(encoding="utf-8")
+    asked = {"text": text, "language": "en", "page": 77, "edit": 1}
+    first, whole = (served.ask("answer", **asked, at_rest=at_rest)["shown"] for at_rest in (True, False))
+    assert first["awaits_runs"] and not whole["awaits_runs"] and first["runs"] and whole["runs"]
+    for same in ("governing", "summary", "columns", "curves", "drawing"):
+        assert first[same] == whole[same], same
+    known = [identity["of"] for identity in first["identities"]]
+    assert known == [identity["of"] for identity in whole["identities"]][: len(known)]
+    assert len(whole["identities"]) > len(known) > 0
+
+
 def test_it_listens_to_this_machine_alone(served):
     # All of 127/8 is this machine: what listens on every address would be there too.
     with pytest.raises(OSError):

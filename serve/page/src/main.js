@@ -114,10 +114,11 @@ function show(next) {
 // With runs in time what stands in view stays.
 function complete({ shown: next }) {
   if (!next) return;
-  for (const design of kept) if (design.shown === shown) design.shown = next;
+  const before = shown;
   shown = next;
+  for (const design of kept) if (design.shown === before) design.shown = shown;
   verdict(byId("verdict"), shown, { curve: choose, formula });
-  runs.of(editor.text, shown.runs);
+  if (shown.runs !== before.runs) runs.of(editor.text, shown.runs);
   if (tabs.current === "comparison") refresh();
 }
 
