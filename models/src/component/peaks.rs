@@ -51,7 +51,7 @@ impl Peaks {
         }
     }
 
-    /// As [`governing`].
+    /// As [`governing`](crate::component::governing::governing).
     pub fn governing(
         &mut self,
         model: &Standing,
