@@ -28,6 +28,8 @@ const KEPT = 4;
 const page = crypto.getRandomValues(new Uint32Array(1))[0];
 let edit = 0;
 let shown = null;
+// The last one with its runs in time.
+let ended = null;
 let chosen = null;
 let kept = [];
 // The run that is in view, if one is.
@@ -62,7 +64,7 @@ new Work(design, beside, failed);
 async function found(asked, then) {
   try {
     const answer = await told("answer", { language: current(), page, ...asked });
-    if (asked.text === editor.text) then(answer);
+    if (asked.text === editor.text && asked.edit === edit) then(answer);
   } catch (error) {
     if (!(error instanceof Refused && error.status === 409)) failed(error);
   }
@@ -102,9 +104,10 @@ function mistakes(list) {
 function show(next) {
   const before = shown;
   shown = next;
+  if (!shown.awaits_runs) ended = shown;
   byId("title").textContent = shown.title;
   document.title = `${shown.title} – Lemnis`;
-  verdict(byId("verdict"), expecting(shown, before), { curve: choose, formula });
+  verdict(byId("verdict"), expecting(shown, ended), { curve: choose, formula });
   if (!before || before.name !== shown.name || !chosen?.size) chosen = new Set(usual());
   if (byId("choice").open) choice();
   runs.of(editor.text, shown.runs);
@@ -115,7 +118,7 @@ function show(next) {
 function complete({ shown: next }) {
   if (!next) return;
   const before = shown;
-  shown = next;
+  shown = ended = next;
   for (const design of kept) if (design.shown === before) design.shown = shown;
   verdict(byId("verdict"), shown, { curve: choose, formula });
   if (shown.runs !== before.runs) runs.of(editor.text, shown.runs);

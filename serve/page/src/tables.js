@@ -33,7 +33,7 @@ function results(list, asked) {
 
 // Results of which runs in time are still awaited, with those of the design before in their places.
 export function expecting(next, before) {
-  if (!next.awaits_runs || before?.name !== next.name) return next;
+  if (!next.awaits_runs || before?.name !== next.name || before.language !== next.language) return next;
   const key = ({ sentence, of }) => JSON.stringify([sentence, of]);
   const kept = (list) => {
     const known = new Set(next[list].map(key));
