@@ -13,6 +13,7 @@ use crate::component::sheet::{Sensitivity, Slope, Summary};
 use crate::component::spread::{Spot, Spread, integrated};
 use crate::component::stages::{Slot, Source, Use};
 use crate::component::standing::{Standing, VariablePlace};
+use crate::kernel::shared::each;
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::Quantity;
 
@@ -78,28 +79,31 @@ pub fn sensitivity(
     given.retain(|given| matches!(used(given.0), Use::Parameter | Use::Load) && by(given.1.0) && smooth(given));
     // What is built, then what hangs on it.
     given.sort_by_key(|(source, _)| used(*source) == Use::Load);
-    let row = |(source, (symbol, number)): (Source, Quantity)| {
-        let mut probe = Probe::new(model, &mut |of, _| f64::from(of == source));
+    if results.is_empty() {
+        return Sensitivity::default();
+    }
+    let probes = given.into_iter().map(|(source, of)| {
+        let probe = Probe::new(model, &mut |other, _| f64::from(other == source));
+        (of, model.part().take(source), probe)
+    });
+    let row = |((symbol, number), value, mut probe): (Quantity, f64, Probe)| {
         let integrals = found.iter().filter_map(Held::integral).collect::<Vec<_>>();
         let mut integrals = integrated(&integrals, &mut *probe.face).ok()?.into_iter();
-        let mut value = |of: &Held| match of {
+        let mut slope = |of: &Held| match of {
             Held::At(slot, at) => probe.at(slot, *at),
             Held::Whole(..) if of.integral().is_some() => integrals.next(),
             Held::Whole(spread, spot) => spread.value(&mut *probe.face, spot).ok(),
         };
-        let by = found.iter().map(|of| Some(value(of)?.eps));
+        let by = found.iter().map(|of| Some(slope(of)?.eps));
         Some(Slope {
             symbol,
             number,
-            value: model.part().take(source),
+            value,
             by: by.collect::<Option<_>>()?,
         })
     };
-    if results.is_empty() {
-        return Sensitivity::default();
-    }
     Sensitivity {
-        rows: given.into_iter().filter_map(row).collect(),
+        rows: each(probes, row).into_iter().flatten().collect(),
         results,
     }
 }

@@ -189,15 +189,35 @@ impl Takes<Dual64> for Dual64 {
     }
 }
 
-/// A number to a power that is a fraction: by roots where these do, which take a tenth of the time; a ninth part of a
-/// logarithm is known to the last bits too, in a third of the time of two cubic roots.
+/// A number to a power that is a fraction: by roots where these do, which take a tenth of the time.
 fn raised(x: f64, exponent: [u8; 2]) -> f64 {
     match exponent {
         [1, 3] => libm::cbrt(x),
-        [3, 2] => x * x.sqrt(),
-        [10, 9] => x * libm::exp(libm::log(x) / 9.0),
+        [0, _] => 1.0,
+        [1, 2] => x.sqrt(),
+        [1, 9] => ninth_root(x),
+        [above, below @ (2 | 9)] if above == below + 1 => x * raised(x, [1, below]),
         [above, below] => libm::pow(x, f64::from(above) / f64::from(below)),
     }
+}
+
+/// Of a number that is not negative. A ninth part of its bits is within 4 per cent; each step then takes four terms of the
+/// binomial series of (1 + apart)^(1/9).
+fn ninth_root(x: f64) -> f64 {
+    // The bits of one less a ninth part of them, less what the line between powers of two is off by in the mean.
+    const ONE: u64 = (1023 << 52) / 9 * 8 - (1 << 52) / 26;
+    if !x.is_normal() {
+        return libm::pow(x, 1.0 / 9.0);
+    }
+    let mut root = f64::from_bits(x.to_bits() / 9 + ONE);
+    for _ in 0..2 {
+        let cube = root * root * root;
+        let ninth = cube * cube * cube;
+        let apart = (x - ninth) / ninth;
+        let [second, third, fourth] = [4.0 / 81.0, 68.0 / 2187.0, 442.0 / 19683.0];
+        root += root * apart * (1.0 / 9.0 - apart * (second - apart * (third - apart * fourth)));
+    }
+    root
 }
 
 /// Moves an angle from (−π, π] to (−π/2, 3π/2].

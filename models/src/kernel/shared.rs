@@ -1,7 +1,8 @@
 //! Jobs that threads share, watched by whoever waits for them.
 
-use std::sync::Mutex;
+use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
 
 /// What jobs tell, and what can break them off.
 #[derive(Clone, Copy)]
@@ -46,4 +47,21 @@ pub fn shared<T: Send>(count: usize, threads: usize, watch: Watch<'_>, job: impl
     let mut results = results.into_inner().expect("no job panics");
     results.sort_by_key(|&(index, _)| index);
     results.into_iter().map(|(_, result)| result).collect()
+}
+
+/// What comes of each of a list, in its order: on all cores, to the end.
+///
+/// # Panics
+/// Where a job does.
+pub fn each<T: Send, R: Send>(list: impl IntoIterator<Item = T>, job: impl Fn(T) -> R + Sync) -> Vec<R> {
+    let list: Vec<Mutex<Option<T>>> = list.into_iter().map(|one| Mutex::new(Some(one))).collect();
+    let watch = Watch {
+        stop: &AtomicBool::new(false),
+        run: &|| (),
+    };
+    let threads = std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
+    shared(list.len(), threads, watch, |index| {
+        let one = list[index].lock().unwrap_or_else(PoisonError::into_inner).take();
+        job(one.expect("each is done once"))
+    })
 }

@@ -1,15 +1,19 @@
 //! Results as a person reads them, in the words, the symbols and the numbers of the book of a language, and what the
 //! mechanism looks like at every position.
 
+use std::panic::resume_unwind;
+
 use lemnis_models::component::sheet::{self, Sheet};
 use lemnis_models::kernel::number::Number;
 use lemnis_models::kernel::origin::Written;
+use lemnis_models::kernel::shared::each;
 use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::kernel::variable::{Fault, PART_OF_RANGE, Role, Variable};
 use lemnis_models::scene::Scene;
 use serde::Serialize;
 
 use crate::answer::drawn::Drawn;
+use crate::answer::point::drawn;
 use crate::book::parts;
 use crate::book::verdict::{utilisation, verdict};
 use crate::language::{Language, Words, symbols};
@@ -98,7 +102,7 @@ pub struct Column {
     pub axis: Axis,
     pub source: &'static str,
     pub output: bool,
-    /// One for each position, in the unit that is shown.
+    /// One for each position, in the unit that is shown; to nine digits, as curves need them.
     pub values: Vec<f64>,
     /// The same as the book's tables have them.
     pub texts: Vec<String>,
@@ -109,7 +113,7 @@ pub struct Curve {
     pub caption: Script,
     pub x: Axis,
     pub y: Axis,
-    /// In the units that are shown.
+    /// In the units that are shown, to nine digits.
     pub pieces: Vec<Vec<[f64; 2]>>,
     /// Numbers of the pieces, where each is that of another body.
     pub numbers: Vec<usize>,
@@ -260,7 +264,7 @@ impl<'a> Teller<'a> {
     }
 
     fn curve(&self, curve: &sheet::Curve) -> Curve {
-        let shown = |[x, y]: [f64; 2]| [curve.x.shown(x), curve.y.shown(y)];
+        let shown = |[x, y]: [f64; 2]| [drawn(curve.x.shown(x)), drawn(curve.y.shown(y))];
         Curve {
             caption: self.word("curve", curve.id),
             x: self.axis(curve.x, None),
@@ -281,7 +285,7 @@ impl<'a> Teller<'a> {
             axis: self.axis(symbol, variable.number),
             source: symbol.source,
             output: variable.role == Role::Output,
-            values: values.iter().map(|value| symbol.shown(*value)).collect(),
+            values: values.iter().map(|value| drawn(symbol.shown(*value))).collect(),
             texts: self.numbers.column(symbol, values.iter().copied()),
         }
     }
@@ -299,11 +303,17 @@ impl Shown {
         } = results;
         let numbers = &precision::of_results(language, scene.book.digits, sheet);
         let teller = Teller::new(scene, sheet, language, numbers);
-        let column = |(i, variable): (usize, &Variable)| {
+        let column = |(i, variable): (usize, &Variable)| -> Column {
             let values: Vec<f64> = rows.iter().map(|row| row[i]).collect();
             teller.column(variable, &values)
         };
         let coordinate = scene.model()?.variables()[0].symbol;
+        // What takes longest, beside each other.
+        let (columns, drawing) = std::thread::scope(|scope| {
+            let drawing = scope.spawn(|| Drawn::new(scene, rows.iter().map(|row| row[0])));
+            let columns = each(columns.iter().enumerate(), column);
+            (columns, drawing.join().unwrap_or_else(|panic| resume_unwind(panic)))
+        });
         let published = |known: &sheet::Comparison| Published {
             name: known.symbol.id,
             at: coordinate.shown(known.coordinate),
@@ -325,11 +335,11 @@ impl Shown {
             warnings: sheet.warnings.iter().map(|warning| teller.warning(warning)).collect(),
             governing: sheet.governing.iter().map(|result| teller.line(result)).collect(),
             summary: sheet.summary.iter().map(|result| teller.line(result)).collect(),
-            columns: columns.iter().enumerate().map(column).collect(),
+            columns,
             curves: sheet.curves.iter().map(|curve| teller.curve(curve)).collect(),
             published: sheet.published.iter().map(published).collect(),
             given: scene.given.written().iter().map(Said::from).collect(),
-            drawing: Drawn::new(scene, rows.iter().map(|row| row[0])),
+            drawing,
             runs: sheet.motion.is_some() || sheet.cycle.is_some() || sheet.awaits_runs,
             awaits_runs: sheet.awaits_runs,
         })

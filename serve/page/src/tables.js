@@ -77,7 +77,7 @@ export class Table {
       const value = h("td", { class: "number" });
       const known = new Map();
       for (const { name, at, value } of shown.published) {
-        const near = coordinate.values.findIndex((x) => Math.abs(x - at) <= 1e-9 * Math.max(1, Math.abs(at)));
+        const near = coordinate.values.findIndex((x) => Math.abs(x - at) <= 1e-8 * Math.max(1, Math.abs(at)));
         if (name === column.name && near >= 0) known.set(near, number(value));
       }
       const published = any ? h("td", { class: "number" }) : null;

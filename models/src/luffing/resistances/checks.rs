@@ -27,8 +27,9 @@ pub fn identities<T: Resists>(model: &Standing, cases: &Cases, m_d: &'static Sym
     let loaded = cases.cases.iter().position(|case| case.k_q > 0.0);
     let (mut rest, mut apart, mut scale) = (0.0_f64, 0.0_f64, f64::MIN_POSITIVE);
     let mut part = model.part().duplicate();
+    let mut felt = felt::<T>(model);
     for at in fine(model.motion()) {
-        let Ok(felt) = felt::<T>(model, at) else {
+        let Ok(felt) = felt(at) else {
             apart = f64::INFINITY;
             continue;
         };
@@ -73,11 +74,12 @@ fn work<T: Resists>(model: &Standing, cases: &Cases, choice: &CasesChoice) -> f6
     let rule = GaussLegendre::new(POINTS);
     let [from, to] = [model.motion().from, model.motion().to];
     let place = |piece: u32| from + (to - from) * f64::from(piece) / f64::from(PIECES);
-    let ends = [from, to].map(|at| felt::<T>(model, at).ok());
+    let mut felt = felt::<T>(model);
+    let ends = [from, to].map(|at| felt(at).ok());
     let mut work = vec![0.0; cases.cases.len()];
     for (piece, (node, weight)) in (0..PIECES).flat_map(|piece| rule.iter().map(move |point| (piece, point))) {
         let half = 0.5 * (place(piece + 1) - place(piece));
-        let felt = felt::<T>(model, place(piece) + half * (1.0 + node)).ok();
+        let felt = felt(place(piece) + half * (1.0 + node)).ok();
         for (case, work) in work.iter_mut().enumerate() {
             let moment = felt.as_ref().map_or(f64::NAN, |felt| felt.resisted[case].of_energy());
             *work += weight * half * moment;

@@ -63,18 +63,23 @@ macro_rules! resists {
 }
 pub(crate) use resists;
 
-pub(super) fn felt<T: Resists>(model: &Standing, at: f64) -> Found<Felt> {
+/// What is found at one place after the other: what no place changes, once.
+pub(super) fn felt<T: Resists>(model: &Standing) -> impl FnMut(f64) -> Found<Felt> + use<T> {
     let mut known = T::new(model.of::<T>().given().clone());
-    T::put(&mut known, model.coordinate(), at);
-    T::felt(&mut known)
+    let coordinate = model.coordinate();
+    move |at| {
+        T::put(&mut known, coordinate, at);
+        T::felt(&mut known)
+    }
 }
 
 /// Checks that the cases are possible all over the working range, and that none moves the drive through a place where it points
 /// at the foot of its bar.
 pub fn check<T: Resists>(model: &Standing, cases: &Cases, v: &Values, found: &mut Vec<Diagnostic>) {
     let (mut before, moves) = (None, cases.cases.iter().any(|case| case.v != 0.0 || case.a != 0.0));
+    let mut felt = felt::<T>(model);
     for at in fine(model.motion()).filter(|_| cases.are_there()) {
-        let fault = match felt::<T>(model, at) {
+        let fault = match felt(at) {
             Ok(felt) => {
                 let way = felt.moved.at[1].way;
                 let turned = moves && before.replace(way).is_some_and(|before: f64| before * way <= 0.0);
@@ -101,7 +106,15 @@ pub fn check<T: Resists>(model: &Standing, cases: &Cases, v: &Values, found: &mu
 
 /// Checks that the drive's bar has a free length all over the working range.
 fn free(model: &Standing, v: &Values, found: &mut Vec<Diagnostic>) {
-    let length = |at: f64| Some((result(model, &t::L_K, 0, at)?, at));
+    let Some(slot) = slots(model, &t::L_K).next() else {
+        return;
+    };
+    let mut part = model.part().duplicate();
+    let length = |at: f64| {
+        let mut value = 0.0;
+        part.put(model.coordinate(), at);
+        part.result(&slot, &mut value).ok().map(|()| (value, at))
+    };
     let short = fine(model.motion())
         .filter_map(length)
         .find(|(length, _)| *length <= 0.0);
@@ -150,7 +163,7 @@ pub fn chapter<T: Described<Component: Resists>>(
     let mut told_before = Vec::new();
     for (id, symbol, outline, takes) in WORKED {
         let Some((case, at)) = most(symbol) else { continue };
-        let felt = felt::<T::Component>(model, at).ok()?;
+        let felt = felt::<T::Component>(model)(at).ok()?;
         let mut taken = bodies_taken(cases, &felt, case);
         let terms = if told_before.is_empty() {
             terms(&T::Component::PARTS, cases, &felt, case)

@@ -119,7 +119,10 @@ pub(super) fn able(
     let mut part = model.part().duplicate();
     let mut at = |slot: &Slot, place: f64| {
         let mut value = 0.0;
-        part.put(model.coordinate(), place);
+        // What is known of the place where it stands stays known.
+        if part.take(model.coordinate()) != place {
+            part.put(model.coordinate(), place);
+        }
         part.result(slot, &mut value).ok().map(|()| value)
     };
     let mut refuse = |key: &str, what: String, help: &str| {

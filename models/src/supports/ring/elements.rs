@@ -149,11 +149,11 @@ results! { MomentAlone as m => { C_P: m.force; C_SIGMA: m.sum; J_1: m.means[0]; 
 impl<C: Calc> MomentAlone<C> {
     /// P_max z D/M = 2/J_1 and Σ|P| D/M = 2 J_2/J_1, where J_1 = (1/z) Σ |c|ⁿ⁺¹ and J_2 = (1/z) Σ |c|ⁿ.
     pub fn new(rolling: &RollingElements) -> MomentAlone<C> {
-        let both = rolling.on_two_rows();
         let two = C::constant(2.0);
         // That of the first element, which sums over all of them name.
-        let _ = C::constant(both.cosines[0]).def(&s::C_J);
-        let [turns, amounts] = both.means(|cosine: C| cosine, |cosine, force| [cosine * force, force.abs()]);
+        let _ = C::constant(rolling.cosines[0]).def(&s::C_J);
+        let of = |cosine: C, force: C| [cosine * force, force.abs()];
+        let [turns, amounts] = rolling.means_on(true, |cosine: C| cosine, of);
         let (turns, amounts) = (turns.def(&s::J_1), amounts.def(&s::J_2));
         MomentAlone {
             means: [turns, amounts],

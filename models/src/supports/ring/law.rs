@@ -17,12 +17,22 @@ const EXPONENTS: [[u8; 2]; 3] = [[1, 1], [10, 9], [3, 2]];
 /// Whether rolling elements bear pressure alone, or a second row holds the ring down, as scenes name it.
 pub const ROWS: [&str; 2] = ["pressure", "hold_down"];
 
+/// A fall λ beyond that of a moment alone, on two rows.
+const HELD: f64 = 1.5;
+/// Into so many equal steps it goes, or the fall up to which all elements bear; at most so many elements part after that.
+const STEPS: usize = 32;
+const PARTINGS: usize = 32;
+/// How far off κ may be before the last step: some of its roundings, as its bends leave no room for more.
+const NEAR: f64 = 4e-15;
+
 /// The rolling elements of a ring.
 #[derive(Clone, Debug)]
 pub struct RollingElements {
     exponent: [u8; 2],
     pub held_down: bool,
     pub cosines: Vec<f64>,
+    /// Falls λ of the approach from zero up, each with κ and its derivative there: `solved` begins between two of them.
+    known: Vec<[f64; 3]>,
 }
 group!(RollingElements);
 
@@ -32,19 +42,33 @@ impl RollingElements {
     pub fn new(count: usize, law: usize, held_down: bool) -> RollingElements {
         // Those of both halves alike, so that a moment alone leaves no force.
         let cosine = |j: usize| Calc::sin_cos(TAU * j.min(count - j) as f64 / count as f64).1;
-        RollingElements {
+        let mut elements = RollingElements {
             exponent: EXPONENTS[law],
             held_down,
             cosines: (0..count).map(cosine).collect(),
-        }
+            known: Vec::new(),
+        };
+        elements.known = elements.falls().map(|lambda| elements.place(lambda)).collect();
+        elements
     }
 
-    /// The same with a hold-down row.
-    #[must_use]
-    pub fn on_two_rows(&self) -> RollingElements {
-        let mut both = self.clone();
-        both.held_down = true;
-        both
+    /// Falls λ between which κ has no sharp bend, or few; nothing else holds the ring down than the elements beside the
+    /// first, or a second row does.
+    fn falls(&self) -> impl Iterator<Item = f64> {
+        let farthest = self.cosines.len() / 2;
+        let (end, partings) = if self.held_down {
+            (HELD, 0)
+        } else {
+            (self.parted(farthest), PARTINGS.min(farthest - 1))
+        };
+        let step = move |i: usize| end * i as f64 / STEPS as f64;
+        let parting = move |i: usize| self.parted(farthest - (farthest - 1) * i / partings);
+        (0..=STEPS).map(step).chain((1..=partings).map(parting))
+    }
+
+    /// The fall at which ring and element j part.
+    fn parted(&self, j: usize) -> f64 {
+        1.0 / (1.0 - self.cosines[j])
     }
 
     /// Whether the elements are springs.
@@ -70,12 +94,22 @@ impl RollingElements {
 
     /// (1/z) Σ of some things of c_j and of the force (1 − λ (1 − c_j))ⁿ, or another approach, over the elements that bear.
     pub fn means<C: Calc, const N: usize>(&self, approach: impl Fn(C) -> C, of: impl Fn(C, C) -> [C; N]) -> [C; N] {
+        self.means_on(self.held_down, approach, of)
+    }
+
+    /// The same where all bear on two rows, or on one.
+    pub fn means_on<C: Calc, const N: usize>(
+        &self,
+        two_rows: bool,
+        approach: impl Fn(C) -> C,
+        of: impl Fn(C, C) -> [C; N],
+    ) -> [C; N] {
         let each = |cosine: C| of(cosine, self.force(approach(cosine)));
         let first = each(C::constant(self.cosines[0]));
         let sums = self.pairs().skip(1).fold(first, |mut sums, (cosine, times)| {
             let cosine = C::constant(cosine);
             let near = approach(cosine);
-            if self.held_down || near.value() > 0.0 {
+            if two_rows || near.value() > 0.0 {
                 let those = of(cosine, self.force(near));
                 for (sum, value) in sums.iter_mut().zip(those) {
                     *sum += value.scaled(times);
@@ -95,61 +129,64 @@ impl RollingElements {
         (0..=count / 2).map(move |j| (self.cosines[j], times(j)))
     }
 
-    /// κ = Σ P c / Σ P (1 + c) at a fall λ of the approach, and its derivative.
-    fn couple(&self, lambda: f64) -> [f64; 2] {
-        let order = f64::from(self.exponent[0]) / f64::from(self.exponent[1]);
+    /// A fall λ of the approach, κ = Σ P c / Σ P (1 + c) there, and its derivative.
+    fn place(&self, lambda: f64) -> [f64; 3] {
+        let [above, below] = self.exponent;
+        let order = f64::from(above) / f64::from(below);
         let [mut turns, mut whole] = [[0.0; 2]; 2];
         for (cosine, times) in self.pairs() {
             let approach = 1.0 - lambda * (1.0 - cosine);
             if approach < 0.0 && !self.held_down {
                 continue;
             }
-            let force = self.force(approach);
-            let slope = match self.exponent {
-                [1, 1] => cosine - 1.0,
-                _ if approach == 0.0 => 0.0,
-                _ => order * force / approach * (cosine - 1.0),
-            };
+            let stiffness = approach.abs().power([above - below, below]);
+            let (force, slope) = (stiffness * approach, order * stiffness * (cosine - 1.0));
             for (sum, arm) in [(&mut turns, times * cosine), (&mut whole, times * (1.0 + cosine))] {
                 *sum = [sum[0] + force * arm, sum[1] + slope * arm];
             }
         }
         let kappa = turns[0] / whole[0];
-        [kappa, (turns[1] - kappa * whole[1]) / whole[0]]
+        [lambda, kappa, (turns[1] - kappa * whole[1]) / whole[0]]
+    }
+
+    /// Where the forces have the part κ of the couple, between two that are known: the cubic that meets λ and its slopes
+    /// there.
+    fn between([low, high]: [[f64; 3]; 2], kappa: f64) -> f64 {
+        let width = high[1] - low[1];
+        let t = (kappa - low[1]) / width;
+        let [rise, first, last] = [high[0] - low[0], width / low[2], width / high[2]];
+        low[0] + t * (first + t * (3.0 * rise - 2.0 * first - last + t * (first + last - 2.0 * rise)))
     }
 
     /// Where the forces have the part κ of the couple: λ, and κ with its derivative there. Newton's method between ends
     /// that close in; κ grows with λ.
     #[must_use]
     pub fn solved(&self, kappa: f64) -> [f64; 3] {
-        let last = if self.held_down {
-            1.5
-        } else {
-            1.0 / (1.0 - self.cosines[1])
-        };
-        let [mut low, mut high] = [0.0, last];
-        let mut lambda = (2.0 * kappa / (1.0 + kappa)).min(last);
-        let mut found = self.couple(lambda);
+        let above = self.known.partition_point(|known| known[1] < kappa);
+        let above = above.clamp(1, self.known.len() - 1);
+        let ends = [self.known[above - 1], self.known[above]];
+        let [mut low, mut high] = ends.map(|end| end[0]);
+        let mut found = self.place(RollingElements::between(ends, kappa).max(low).min(high));
         for _ in 0..200 {
-            let apart = kappa - found[0];
+            let [lambda, met, slope] = found;
+            let apart = kappa - met;
+            // The last step, over any scalar, leaves the square of this.
+            if apart.abs() <= NEAR {
+                break;
+            }
             if apart > 0.0 {
                 low = lambda
             } else {
                 high = lambda
             }
-            let next = lambda + apart / found[1];
-            let next = if next > low && next < high {
+            let next = lambda + apart / slope;
+            let next = if (low..=high).contains(&next) {
                 next
             } else {
                 f64::midpoint(low, high)
             };
-            // The last step, over any scalar, leaves the square of this.
-            if apart == 0.0 || (next - lambda).abs() <= 1e-13 * lambda.max(1.0) {
-                break;
-            }
-            lambda = next;
-            found = self.couple(lambda);
+            found = self.place(next);
         }
-        [lambda, found[0], found[1]]
+        found
     }
 }
