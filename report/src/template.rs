@@ -9,7 +9,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::path::{Path, PathBuf};
-use std::sync::OnceLock;
+use std::sync::{Arc, LazyLock, OnceLock};
 
 use minijinja::syntax::SyntaxConfig;
 use minijinja::value::{Serde, Value};
@@ -93,8 +93,13 @@ pub struct Templates {
     own: BTreeMap<String, String>,
     /// What the templates can read beside the words.
     files: Vec<(String, Vec<u8>)>,
-    ready: [OnceLock<Result<Ready, String>>; LANGUAGES.len()],
+    ready: Arc<EachLanguage>,
 }
+
+type EachLanguage = [OnceLock<Result<Ready, String>>; LANGUAGES.len()];
+
+/// Of the embedded templates, once for the program.
+static EMBEDDED: LazyLock<Arc<EachLanguage>> = LazyLock::new(Arc::default);
 
 /// The templates with the words of one language.
 struct Ready {
@@ -110,7 +115,7 @@ impl Templates {
             folder: None,
             own: BTreeMap::new(),
             files: Vec::new(),
-            ready: [const { OnceLock::new() }; LANGUAGES.len()],
+            ready: Arc::clone(&EMBEDDED),
         }
     }
 
@@ -121,6 +126,7 @@ impl Templates {
     pub fn with_folder(folder: &Path) -> Result<Templates, String> {
         let mut templates = Templates {
             folder: Some(folder.to_owned()),
+            ready: Arc::default(),
             ..Templates::embedded()
         };
         templates.read(folder, "")?;
@@ -168,9 +174,7 @@ impl Templates {
 
     /// The book's Typst source.
     pub(crate) fn render(&self, book: &impl Serialize, language: &Language) -> Result<String, Error> {
-        let place = LANGUAGES.iter().position(|known| known.code == language.code);
-        let ready = self.ready[place.expect("a language of the table")].get_or_init(|| self.prepare(language));
-        let Ready { environment, words } = ready.as_ref().map_err(|error| Error(error.clone()))?;
+        let Ready { environment, words } = self.ready(language)?;
         let source =
             whole(environment, &Serde(book).into()).map_err(|error| Error(describe(self.folder.as_deref(), &error)))?;
         speech::accessible(&source, words).map_err(Error)
@@ -181,7 +185,7 @@ impl Templates {
     /// # Errors
     /// A template with a mistake, or an id without words.
     pub fn picture(&self, picture: &Picture, title: &str, language: &Language) -> Result<String, Error> {
-        let Ready { environment, .. } = &self.prepare(language).map_err(Error)?;
+        let Ready { environment, .. } = self.ready(language)?;
         let page = environment
             .get_template("picture.typ")
             .and_then(|template| template.render(context! { book => context! { html => false } }));
@@ -194,7 +198,19 @@ impl Templates {
         ))
     }
 
-    fn prepare(&self, language: &Language) -> Result<Ready, String> {
+    /// Reads them with the words of a language, where no book in it was made yet.
+    pub fn prepare(&self, language: &Language) {
+        // A mistake is told by the book.
+        let _ = self.ready(language);
+    }
+
+    fn ready(&self, language: &Language) -> Result<&Ready, Error> {
+        let place = LANGUAGES.iter().position(|known| known.code == language.code);
+        let ready = self.ready[place.expect("a language of the table")].get_or_init(|| self.read_in(language));
+        ready.as_ref().map_err(|error| Error(error.clone()))
+    }
+
+    fn read_in(&self, language: &Language) -> Result<Ready, String> {
         let own = |name: &str| self.own.get(name).map(String::as_str);
         let own_words = self.own.iter().filter(|(name, _)| language.owns(name));
         let own_words = own_words.map(|(name, text)| (name.as_str(), text.as_str()));

@@ -231,7 +231,10 @@ impl Books {
         let (templates, typesetter) = (self.making.templates()?, self.making.typesetter()?);
         let make = |scene: &Scene| {
             let edition = self.making.edition(scene, &templates, &*typesetter);
-            let sheet = results::sheet(scene).map_err(Failure::of_scene)?;
+            let sheet = std::thread::scope(|scope| {
+                scope.spawn(|| templates.prepare(edition.language));
+                results::sheet(scene).map_err(Failure::of_scene)
+            })?;
             output::complete(&self.output, &book(&edition, scene, &sheet, self.format)?)
         };
         scenes.iter().map(make).collect()
