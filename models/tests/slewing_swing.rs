@@ -131,6 +131,77 @@ fn a_slope_at_rest() {
     }
 }
 
+const AIR: &str =
+    "[slewing.air]\nQ_air = \"10 t\"\nd_Q = \"150 N.s/m\"\nc_wQ = \"1.2\"\nA_Q = \"14 m2\"\nrho_air = \"1.25 kg/m3\"\n";
+
+/// tan φ = F/(m g) with F = (d_Q + ½ ρ c A v) v: in a steady wind the load hangs still, downwind at every slewing angle, and
+/// the crane that nothing holds does not turn where that is straight ahead.
+#[test]
+fn a_steady_wind() {
+    let (speed, to) = (12.0, 0.4);
+    let force = (150.0 + 0.5 * 1.25 * 1.2 * 14.0 * speed) * speed;
+    let lean = libm::atan2(force, MASS * G);
+    for psi in [to, 0.0, -1.3, 2.5] {
+        let (ahead, aside) = (libm::cos(to - psi), libm::sin(to - psi));
+        let chi = libm::asin(libm::sin(lean) * aside);
+        let phi = libm::atan2(libm::sin(lean) * ahead, libm::cos(lean));
+        let keys = format!("phi_R = \"{phi} rad\"\nchi_R = \"{chi} rad\"\npsi_sl = \"{psi} rad\"");
+        let wind = format!("{AIR}v_air = \"{speed} m/s\"\nchi_air = \"{to} rad\"");
+        let mut model = model(&scene(&keys, &wind));
+        if psi != to {
+            set(&mut model, "M_Bsl", 1000e3);
+        }
+        model.event().expect("decided");
+        for name in ["der(v_Qx)", "der(v_Qy)", "der(v_Qz)", "der(omega_sl)"] {
+            near(get(&mut model, name), 0.0, 1e-13);
+        }
+        near(get(&mut model, "F_air"), force, 1e-9);
+        near(get(&mut model, "P_air"), 0.0, 1e-9);
+        near(get(&mut model, "S_R"), force.hypot(MASS * G), 1e-8);
+    }
+}
+
+/// A load let go in a wide swing while the crane turns in the wind: energy falls by what the air takes, by Simpson's rule.
+#[test]
+fn the_air_takes_energy() {
+    let keys = "phi_R = \"40 deg\"\nchi_R = \"-35 deg\"\nomega_sl = \"10 deg/s\"\n[slewing.dynamics]\nstep = \"1 ms\"";
+    let wind = format!("{AIR}v_air = \"9 m/s\"\nchi_air = \"80 deg\"");
+    let mut model = model(&scene(keys, &wind));
+    let (before, step, mut taken) = (energy(&mut model), 0.01, 0.0);
+    let mut powers = vec![get(&mut model, "P_air")];
+    for i in 0..1000 {
+        model
+            .advance(f64::from(i) * step, f64::from(i + 1) * step)
+            .expect("runs");
+        powers.push(get(&mut model, "P_air"));
+    }
+    for three in powers.windows(3).step_by(2) {
+        taken += step / 3.0 * (three[0] + 4.0 * three[1] + three[2]);
+    }
+    let after = energy(&mut model);
+    assert!((before - after).abs() > 1e4, "{before} {after}");
+    near(after, before - taken, 1e-7 * MASS * G * L);
+}
+
+/// Small swings decay with δ = d_Q/m: after n periods to e^(−n π δ/ω), ω² = g/l − δ²/4, of what they began with.
+#[test]
+fn small_swings_decay() {
+    let delta: f64 = 0.05;
+    let air = format!("[slewing.air]\nQ_air = \"10 t\"\nd_Q = \"{} N.s/m\"", delta * MASS);
+    let omega = (G / L - delta * delta / 4.0).sqrt();
+    for angle in ["phi_R", "chi_R"] {
+        let keys = format!("{angle} = \"0.0001 rad\"\n[slewing.dynamics]\nstep = \"5 ms\"");
+        let mut model = model(&scene(&keys, &air));
+        set(&mut model, "M_Bsl", 1000e3);
+        model.advance(0.0, 3.0 * TAU / omega).expect("runs");
+        near(
+            get(&mut model, angle),
+            1e-4 * libm::exp(-1.5 * TAU * delta / omega),
+            1e-11,
+        );
+    }
+}
+
 /// Slewing meets its stop at 0.3 rad/s with the load behind it or ahead: what the blow takes is what the energy lacks, and
 /// no angular momentum is asked for: the stop gives it.
 #[test]

@@ -626,10 +626,8 @@ fn reeled(d: &mut Node, rope: bool, lasts: f64) {
 }
 
 /// Air around a load, which takes no more of its speed than swinging does.
-fn air(n: &mut Node) {
-    let (load, slews) = (n.get("Q"), n.has("slewing"));
-    let table = if n.has("hoisting") { "hoisting" } else { "dynamics" };
-    let long = n.child(table).expect("there").get("l_R");
+pub fn air(n: &mut Node, long: f64, slews: bool) {
+    let load = n.get("Q");
     let mut air = n.child("air").expect("there");
     let (mass, swings) = (air.draw.scale[1].max(load / air.draw.g), (air.draw.g / long).sqrt());
     air.set("Q_air", mass * air.draw.g);
@@ -709,7 +707,9 @@ pub fn dynamics(n: &mut Node, turns: &str, rope: bool, oil: bool) {
         }
     }
     if n.has("air") {
-        air(n);
+        let table = if n.has("hoisting") { "hoisting" } else { "dynamics" };
+        let (long, slews) = (n.child(table).expect("there").get("l_R"), n.has("slewing"));
+        air(n, long, slews);
     }
 }
 

@@ -9,7 +9,7 @@ use lemnis_models::parts::turntable::MOST_SPIN;
 use lemnis_models::slewing::symbols as s;
 use toml::Table;
 
-use crate::luffing::working_range;
+use crate::luffing::{air, working_range};
 use crate::scene::{Draw, Node};
 
 /// A result that every level has.
@@ -27,6 +27,11 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
         n.keep("l_R", true);
         let rope = n.draw.natural(&s::L_R) * n.draw.between(0.2, 2.0);
         n.set("l_R", rope);
+        let blows = n.draw.coin(0.5);
+        n.keep("air", blows);
+        if blows {
+            air(&mut n, rope, true);
+        }
         for name in ["phi_R", "chi_R"] {
             if n.has(name) {
                 let angle = n.draw.between(-1.5, 1.5);
@@ -34,7 +39,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
             }
         }
     } else {
-        n.remove(&["l_R", "phi_R", "chi_R"]);
+        n.remove(&["l_R", "phi_R", "chi_R", "air"]);
     }
     let start = n.draw.between(-PI, PI);
     if matches!(n.text("fidelity"), Some("rigid" | "swing")) {

@@ -40,6 +40,11 @@ quantities! {
     AirAround { q_air: Q_AIR, d_q: D_Q, c_wq: C_WQ, a_q: A_Q, rho_air: RHO_AIR }
 }
 
+quantities! {
+    /// The wind at the load.
+    WindAtLoad { v_air: V_AIR, chi_air: CHI_AIR }
+}
+
 /// The table of a scene that has the air around a load that swings.
 pub const AIR: Key = Key::part("air", AIR_KEYS, "Air that resists a load on its rope, and the wind.");
 

@@ -21,10 +21,12 @@
 //! | `slewing.circle` | [`turning::Circling::new`] | mechanics |
 //! | `slewing.friction` | [`motion::resisting`] | Ports001, 6.5 |
 //! | `slewing.motion` | [`motion::Turned::new`] | Ports001, 6.5 |
+//! | `slewing.air` | [`air::stream`], [`air::FeltAir::new`] | drag |
 //! | `slewing.swing` | [`swinging::Swinging::new`] | Lagrange, first kind |
 //! | `slewing.blows` | [`blows::SwungInstant::stop`], [`blows::SwungInstant::catch`] | momentum |
 //! | `slewing.events` | [`motion::SlewingEvents::new`], [`swinging::slackening`] | events |
 
+pub mod air;
 pub mod blows;
 mod bounds;
 pub mod motion;

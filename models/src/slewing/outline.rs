@@ -7,12 +7,13 @@ use crate::parts::turntable;
 use crate::slewing::symbols as s;
 
 pub const OUTLINE: Outline = Outline {
-    inputs: chapters!(slewing "", slope, load "Q", hook, motion, limits),
+    inputs: chapters!(slewing "", slope, load "Q", hook, air, motion, limits),
     constants: &[("slewing_inertia", &[Stage("carried"), Stage("total")])],
     sections: &[
         ("slewing_slope", &[Stage("tilt")]),
         ("slewing_steady", &[Stage("steady")]),
         ("slewing_circle", &[Stage("circling")]),
+        ("motion_air", &[Stage("stream")]),
         ("slewing_swing", &[Stage("leaning"), Stage("swinging")]),
         ("slewing_motion", &[Stage("resisting"), Stage("turned")]),
     ],

@@ -18,6 +18,7 @@ use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Values};
 use crate::kernel::sign::Sign;
 use crate::kernel::variable::Fault;
+use crate::parts::air::{self, AIR, AirAround, WindAtLoad, around};
 use crate::parts::hanging::{self, HangingLoad};
 use crate::parts::motion::Motion;
 use crate::parts::plane::Point;
@@ -47,6 +48,7 @@ pub const KEYS: &[Key] = keys! { joint:
     Key::part("dynamics", DYNAMICS, "How slewing by itself is solved."),
     Key::part("motion", MOTION, "Working range of slewing by itself."),
     Key::part("slope", SLOPE, "The ground that is not level, and what stands on it."),
+    AIR,
     Key::part("limits", LIMITS, "What results may come to at most.")
 };
 
@@ -110,7 +112,7 @@ fn suits(v: &Values, found: &mut Vec<Diagnostic>) -> [bool; 2] {
             "set fidelity = \"rigid\" or \"swing\", or remove it",
         ));
     }
-    if let (false, Some(key)) = (swings, SWINGING.iter().find(|key| v.has(key))) {
+    if let (false, Some(key)) = (swings, SWINGING.iter().chain([&AIR.name]).find(|key| v.has(key))) {
         let what = format!("`{key}` without a swinging load");
         let help = "remove it: the load keeps its place under the head; or set fidelity = \"swing\"";
         found.push(v.refuse(key, what, "not used", help));
@@ -123,6 +125,17 @@ fn suits(v: &Values, found: &mut Vec<Diagnostic>) -> [bool; 2] {
     [moves, swings]
 }
 
+/// The air that a table has around a load that swings, and the wind; mistakes go to `found`.
+fn in_air(
+    table: &Values,
+    [rope, gravity]: [f64; 2],
+    found: &mut Vec<Diagnostic>,
+) -> Option<(AirAround<f64>, WindAtLoad<f64>)> {
+    let around = around(table, [(gravity / rope).sqrt(), gravity], true, found)?;
+    let [v_air, chi_air] = [&s::V_AIR, &s::CHI_AIR].map(|symbol| table.number(symbol.id).unwrap_or(0.0));
+    Some((around, WindAtLoad { v_air, chi_air }))
+}
+
 impl Described for SlewingScene {
     type Component = SlewingCrane;
     const ID: &'static str = "slewing";
@@ -131,7 +144,7 @@ impl Described for SlewingScene {
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "slewing_symbol",
         own: &[s::ALL],
-        shared: &[joint::ALL, hanging::ALL, gravity::ALL],
+        shared: &[joint::ALL, hanging::ALL, air::ALL, gravity::ALL],
     };
 
     fn read(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<(SlewingScene, Motion)> {
@@ -149,6 +162,9 @@ impl Described for SlewingScene {
             found.push(v.refuse(joint::J_SL.id, what, "nothing to turn", help));
             return None;
         }
+        let air = v.table(AIR.name).filter(|_| swings);
+        let air = air.and_then(|table| in_air(table, [n(s::L_R.id), gravity], found));
+        let (around, blowing) = air.unzip();
         let lasts = v
             .course(s::M_SL.id)
             .map_or((range.to - range.from) / range.speed.abs(), Course::end);
@@ -186,6 +202,8 @@ impl Described for SlewingScene {
                 HangingLoad::resting(n(s::L_R.id), angles).into()
             }),
             rope: RopeLength::read(v).filter(|_| swings),
+            around,
+            blowing,
             slackness: swings.then_some(Slackness { slack: 0.0 }),
             past: Past { way: 1.0, blown: 0.0 },
             stops: Stops(joint.stops),
@@ -220,6 +238,7 @@ impl Described for SlewingScene {
     fn set_level(&mut self, level: &str) {
         if level != "swing" {
             (self.given.swung, self.given.rope, self.given.slackness) = (None, None, None);
+            (self.given.around, self.given.blowing) = (None, None);
         }
         if level == "static" {
             self.given.driven = None;
@@ -229,8 +248,8 @@ impl Described for SlewingScene {
     fn unused(&self, level: &str) -> Vec<(&'static str, &'static [&'static str])> {
         match level {
             "swing" => Vec::new(),
-            "rigid" => vec![("slewing", &SWINGING)],
-            _ => vec![("dynamics", &[]), ("slewing", &SWINGING)],
+            "rigid" => vec![("slewing", &SWINGING), (AIR.name, &[])],
+            _ => vec![("dynamics", &[]), ("slewing", &SWINGING), (AIR.name, &[])],
         }
     }
 
@@ -274,7 +293,10 @@ impl Described for SlewingScene {
         match (this.given.driven, this.given.swung) {
             (None, _) => vec!["slewing_level_static", "slewing_load"],
             (_, None) => vec!["slewing_level_rigid", "slewing_load"],
-            (_, Some(_)) => vec!["slewing_level_swing", "slewing_hook"],
+            (_, Some(_)) => {
+                let damped = this.given.around.map_or("slewing_undamped", |_| "air");
+                vec!["slewing_level_swing", damped, "slewing_hook"]
+            }
         }
     }
 

@@ -4,9 +4,11 @@ use crate::component::part::{Component, Port, ports};
 use crate::component::stages::{Found, stages};
 use crate::kernel::group::{One, group};
 use crate::kernel::symbol::Symbol;
+use crate::parts::air::{AirAround, Stream, WindAtLoad};
 use crate::parts::hanging::HangingLoad;
 use crate::parts::joint::{Arrival, Bar};
 use crate::parts::turntable::Turning;
+use crate::slewing::air::{FeltAir, stream};
 use crate::slewing::blows::SwungInstant;
 use crate::slewing::motion::{Led, Past, SlewingDrive, SlewingEvents, Stops, Turned, held, joint, resisting, struck};
 use crate::slewing::swinging::{
@@ -26,6 +28,8 @@ stages! {
         Input driven: Option<SlewingDrive<C>>,
         State swung: Option<SwingingLoad<C>>,
         Parameter rope: Option<RopeLength<C>>,
+        Parameter around: Option<AirAround<C>>,
+        Input blowing: Option<WindAtLoad<C>>,
         Memory past: Past<C>,
         Memory slackness: Option<Slackness<C>>,
         Fixed stops: Stops,
@@ -37,8 +41,11 @@ stages! {
         steady: Steady<C> = Steady::new(turning, tilt[?], omega);
         circling: Circling<C> = Circling::new(carried, hung, total, omega);
         leaning: C = leaning(slope[!], swung[!], psi) => M_GAMMA_U;
+        stream: Stream<C> = stream(around[!], blowing[!], hung, psi) => _;
         swinging: Swinging<C> = Swinging::new(
-            turning, driven[!], past, slackness[!], stops, slope, leaning[?], swung[!], hung, carried, psi, omega);
+            turning, driven[!], past, slackness[!], stops, slope, leaning[?], stream[?], swung[!], hung, carried, psi,
+            omega);
+        in_air: FeltAir<C> = FeltAir::new(stream, swinging, hung, carried, omega);
         led: Led<C> = led(swinging) => _;
         resisting: C = resisting(turning, driven[!], past, stops, tilt[?], led[?], omega) => M_R_SL;
         turned: Turned<C> = Turned::new(driven[!], past, tilt[?], resisting, led[?], total, carried, hung, omega);

@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::quantities;
+use crate::parts::air::Stream;
 use crate::parts::hanging::{Accelerations, HangingLoad, HeadJoints, cancelling, dot};
 use crate::parts::hoist::RopeAction;
 use crate::parts::joint::{Bar, LOOSE, above_zero};
@@ -74,7 +75,7 @@ fn gravity<C: Calc>(hung: &Hung<C>, slope: Option<&Ground<C>>, psi: &C) -> Vecto
 /// How slewing and its load accelerate, and what the rope does meanwhile.
 #[derive(Clone, Copy, Debug)]
 pub struct Swinging<C> {
-    load: HangingLoad<C>,
+    pub load: HangingLoad<C>,
     pub found: Accelerations<C, 1>,
     needs: C,
     rubbing: C,
@@ -96,6 +97,7 @@ impl<C: Calc> Swinging<C> {
         stops: &Stops,
         slope: &Option<Ground<C>>,
         leaning: Option<&C>,
+        stream: Option<&Stream<C>>,
         swung: &SwingingLoad<C>,
         hung: &Hung<C>,
         carried: &SlewedLoad<C>,
@@ -131,7 +133,7 @@ impl<C: Calc> Swinging<C> {
             RopeAction::Slack
         };
         let masses = [carried.mass, cancelling(carried.mass)];
-        let found = joints.hung(load, masses, gravity(hung, slope.as_ref(), psi), line, None);
+        let found = joints.hung(load, masses, gravity(hung, slope.as_ref(), psi), line, stream);
         Swinging {
             load,
             needs: -driving(driven, leaning) - found.rope * found.arms[0],

@@ -2,6 +2,7 @@
 
 pub use crate::kernel::gravity::G;
 use crate::kernel::symbol::symbols;
+pub use crate::parts::air::{CHI_AIR, F_AIR, P_AIR, V_AIR};
 pub use crate::parts::hanging::{
     ALPHA_0SL, D_V_QX, D_V_QY, D_V_QZ, D_X_Q, D_Y_Q, D_Z_Q, L_R, PHI_R, S_R, V_QX, V_QY, V_QZ, X_Q, Y_Q, Z_Q, Z_ROPE,
 };
