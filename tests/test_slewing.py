@@ -71,9 +71,10 @@ def test_a_crane_slews_out_brakes_and_meets_its_stop(fmus):
     assert np.array_equal(first["psi_sl"], runs["FMI 2", "CoSimulation"]["psi_sl"])
 
 
-def swung(times, moment, length=18.0, reach=25.0, mass=16e3):
+def swung(times, moment, blows, length=18.0, reach=25.0, mass=16e3):
     """The same crane with its load as a point in space, in coordinates that stand still: x downhill, z away from the slope.
-    The rope's force is what keeps the second derivative of its length at zero."""
+    The rope's force is what keeps the second derivative of its length at zero; the wind blows at 30° with the speed told."""
+    wind = np.array([math.cos(math.radians(30.0)), math.sin(math.radians(30.0)), 0.0])
     gravity = 9.81 * np.array([math.sin(math.radians(0.5)), 0.0, -math.cos(math.radians(0.5))])
 
     def rates(t, y):
@@ -81,13 +82,15 @@ def swung(times, moment, length=18.0, reach=25.0, mass=16e3):
         forward, left = np.array([math.cos(psi), math.sin(psi), 0]), np.array([-math.sin(psi), math.cos(psi), 0])
         head, moving = reach * forward, reach * omega * left
         along = (place - head) / length
+        against = speed - blows(t) * wind
+        fall = gravity - (120.0 + 0.5 * 1.225 * 1.2 * 14.0 * math.sqrt(against @ against)) / mass * against
         weight = -180e3 * 1.2 * np.cross(forward, gravity)[2]
         alone = (moment(t) + weight - 600e3 * omega - 40e3 * math.copysign(1.0, omega or 1.0)) / 9e6
         arm = np.cross(head, along)[2]
-        # along · (gravity − pull/mass along − head'') + |speed − moving|²/length = 0
-        free = along @ (gravity - reach * (alone * left - omega**2 * forward)) + (speed - moving) @ (speed - moving) / length
+        # along · (fall − pull/mass along − head'') + |speed − moving|²/length = 0
+        free = along @ (fall - reach * (alone * left - omega**2 * forward)) + (speed - moving) @ (speed - moving) / length
         pull = free / (1.0 / mass + arm * reach * (along @ left) / 9e6)
-        return np.concatenate([[omega, alone + pull * arm / 9e6], speed, gravity - pull / mass * along]), pull
+        return np.concatenate([[omega, alone + pull * arm / 9e6], speed, fall - pull / mass * along]), pull
 
     psi = math.radians(-60.0)
     start = reach * np.array([math.cos(psi), math.sin(psi), 0]) - [0, 0, length]
@@ -107,13 +110,14 @@ def swung(times, moment, length=18.0, reach=25.0, mass=16e3):
 
 
 def test_a_load_swings_as_a_point_in_space(tmp_path):
-    """Driven out for 12 s and left to run out: two standards and two interfaces, against a code that knows neither the
-    frame that slews nor the drive's library."""
+    """Driven out for 12 s and left to run out, in a wind that turns round meanwhile: two standards and two interfaces, against
+    a code that knows neither the frame that slews nor the drive's library."""
     lemnis("fmu", SWINGING, "--output", tmp_path)
     names = ["psi_sl", "x_Q", "z_Q", "S_R"]
-    inputs = np.array([(0.0, 300e3), (12.0, 300e3), (12.0, 0.0), (18.0, 0.0)], dtype=[("time", float), ("M_sl", float)])
+    told = [(0.0, 300e3, 8.0), (12.0, 300e3, 8.0), (12.0, 0.0, -15.0), (18.0, 0.0, -15.0)]
+    inputs = np.array(told, dtype=[("time", float), ("M_sl", float), ("v_air", float)])
     times = [round(0.5 * i, 6) for i in range(37)]
-    expected = swung(times, lambda t: 300e3 if t < 12.0 - 1e-9 else 0.0)
+    expected = swung(times, lambda t: 300e3 if t < 12.0 - 1e-9 else 0.0, lambda t: 8.0 if t < 12.0 - 1e-9 else -15.0)
     assert np.abs(expected[:, 1:3]).max() > 0.5, "it swings"
     for end in ENDS.values():
         path = str(tmp_path / f"SlewingSwing{end}")
