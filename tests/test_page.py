@@ -438,6 +438,19 @@ def test_runs_are_played_in_time(chromium):
         assert page.locator("#identities li").all_text_contents() == identities != []
         assert page.locator("#plan").is_hidden() and page.locator(".handle").count() > 0
         assert seen.wrong == []
+        # While one types on they stay as they were, pale; an answer that was overtaken is told so.
+        page.evaluate("""() => {
+            const count = (what) => document.querySelectorAll(`#verdict ${what}`).length;
+            window.states = [];
+            const told = () => window.states.push([count(".awaited"), count(".old")]);
+            new MutationObserver(told).observe(document.getElementById("verdict"), { childList: true });
+        }""")
+        for key in "abc":
+            page.evaluate("() => { window.states.length = 0; }")
+            page.keyboard.press(key)
+            page.wait_for_function("() => window.states.some(([awaited]) => awaited)")
+            assert all(old for awaited, old in page.evaluate("window.states") if awaited)
+        expect(page.locator("#verdict .old, #verdict .awaited")).to_have_count(0)
         seen.context.close()
 
 
