@@ -211,6 +211,45 @@ fn a_moment_alone() {
     near(linear.sum, 8.0 / PI, 2e-5);
 }
 
+/// The fall λ for any part κ of the couple, up to where the ring tips or beyond a moment alone, with every law, on one row and
+/// on two: what all elements bear at that fall, by powers and one by one, has that part.
+#[test]
+fn every_part_of_the_couple_is_found() {
+    for (law, order) in [1.0, 10.0 / 9.0, 1.5].into_iter().enumerate() {
+        for (count, held_down) in [3, 4, 5, 12, 121, 1000]
+            .into_iter()
+            .flat_map(|z| [(z, false), (z, true)])
+        {
+            let rolling = RollingElements::new(count, law, held_down);
+            let part = |lambda: f64| {
+                let (mut turns, mut whole) = (0.0, 0.0);
+                for cosine in &rolling.cosines {
+                    let near = 1.0 - lambda * (1.0 - cosine);
+                    let bears = if near > 0.0 || held_down {
+                        libm::pow(near.abs(), order)
+                    } else {
+                        0.0
+                    };
+                    turns += bears.copysign(near) * cosine;
+                    whole += bears.copysign(near) * (1.0 + cosine);
+                }
+                turns / whole
+            };
+            let most = if held_down {
+                1.2
+            } else {
+                0.5 - 1e-6 * (1.0 - rolling.cosines[1])
+            };
+            for i in 0..=500 {
+                let kappa = most * f64::from(i) / 500.0;
+                let [place, met, slope] = rolling.solved(kappa);
+                let lambda = place + (kappa - met) / slope;
+                near(part(lambda), kappa, 2e-14);
+            }
+        }
+    }
+}
+
 /// V/z + 4M/(z D) while springs bear all around; without a hold-down row the far side is free from there on, the greatest
 /// grows faster and goes through without a jump.
 #[test]

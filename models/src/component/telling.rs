@@ -150,10 +150,12 @@ pub fn sheet<T: Described>(told: &Description<T>, origins: &Origins, asked: &[Pl
         let moved = moved.and_then(|moved| moved.join().unwrap_or_else(|panic| resume_unwind(panic)));
         (sheet, moved, cycle)
     });
-    sheet.awaits_runs = !runs && (told.own.chapters().contains(&"motion") || !told.courses.is_empty());
+    let moves = told.own.chapters().contains(&"motion");
+    sheet.awaits_runs = !runs && (moves || !told.courses.is_empty());
     match moved {
         Some(moved) => moved.tell(&mut sheet),
-        None => sheet.uncalculated = in_motion_only(told),
+        None if moves => sheet.uncalculated = in_motion_only(told),
+        None => {}
     }
     if let Some(cycle) = &cycle {
         let told = cycle.commands.iter().map(|(symbol, _)| *symbol);
@@ -243,7 +245,8 @@ fn forces(model: &Standing, peaks: &mut Peaks, outline: &'static Outline) -> Vec
     outline.forces.iter().filter_map(of).collect()
 }
 
-/// Chapters of inputs whose tables are of no use to the level that stands still.
+/// Chapters of inputs whose tables are of no use to the level that stands still: without the chapter on motion nothing is
+/// calculated with them.
 fn in_motion_only<T: Described>(told: &Description<T>) -> Vec<&'static str> {
     let standing = told.own.levels().first().copied().unwrap_or_default();
     let unused = told.own.unused(standing);

@@ -67,8 +67,6 @@ static DYNAMICS: &[Key] = keys! { s: STEP > 0 };
 /// Keys that say something of a motion alone, and of a load that swings.
 const MOVING: [&str; 7] = ["M_sl", "M_Bsl", "psi_sl", "omega_sl", "psi_min", "psi_max", "dynamics"];
 const SWINGING: [&str; 3] = ["l_R", "phi_R", "chi_R"];
-/// Keys of the air; each, as a book of the load that swings calculates with them.
-const IN_AIR: [&str; 7] = ["Q_air", "d_Q", "c_wQ", "A_Q", "rho_air", "v_air", "chi_air"];
 
 /// What the rates cost, in s, without a load that swings and with it.
 const COST: [[f64; 2]; 2] = [[0.1e-6, 0.0], [0.4e-6, 0.0]];
@@ -250,8 +248,8 @@ impl Described for SlewingScene {
     fn unused(&self, level: &str) -> Vec<(&'static str, &'static [&'static str])> {
         match level {
             "swing" => Vec::new(),
-            "rigid" => vec![("slewing", &SWINGING), (AIR.name, &IN_AIR)],
-            _ => vec![("dynamics", &[]), ("slewing", &SWINGING), (AIR.name, &IN_AIR)],
+            "rigid" => vec![("slewing", &SWINGING), (AIR.name, &[])],
+            _ => vec![("dynamics", &[]), ("slewing", &SWINGING), (AIR.name, &[])],
         }
     }
 

@@ -9,7 +9,7 @@ pub fn rounded(point: Point) -> Point {
 }
 
 /// To nine digits at least, which no screen can show: its text is half as long.
-pub fn drawn(x: f64) -> f64 {
+pub fn to_nine_digits(x: f64) -> f64 {
     const DIGITS: i32 = 8;
     // The power of two, and so nearly that of ten.
     let power = (((x.to_bits() >> 52 & 0x7ff) as i32 - 1023) * 30103).div_euclid(100_000);
@@ -21,7 +21,7 @@ pub fn drawn(x: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::drawn;
+    use super::to_nine_digits;
 
     /// Of any size; zero and what is no number stay what they are.
     #[test]
@@ -32,12 +32,16 @@ mod tests {
             let digits = 1.0 + 9.0 * (state >> 11) as f64 / (1_u64 << 53) as f64;
             for sign in [1.0, -1.0] {
                 let x: f64 = sign * digits * format!("1e{exponent}").parse::<f64>().unwrap();
-                assert!((drawn(x) - x).abs() <= 5e-9 * x.abs(), "{x:e} becomes {:e}", drawn(x));
+                assert!(
+                    (to_nine_digits(x) - x).abs() <= 5e-9 * x.abs(),
+                    "{x:e} becomes {:e}",
+                    to_nine_digits(x)
+                );
             }
         }
-        assert_eq!(drawn(1.0 / 3.0).to_string(), "0.333333333");
-        assert_eq!([0.0, 1.0, -2.5e6].map(drawn), [0.0, 1.0, -2.5e6]);
-        assert!(drawn(f64::NAN).is_nan() && drawn(f64::INFINITY).is_infinite());
-        assert_eq!(drawn(5e-324), 5e-324);
+        assert_eq!(to_nine_digits(1.0 / 3.0).to_string(), "0.333333333");
+        assert_eq!([0.0, 1.0, -2.5e6].map(to_nine_digits), [0.0, 1.0, -2.5e6]);
+        assert!(to_nine_digits(f64::NAN).is_nan() && to_nine_digits(f64::INFINITY).is_infinite());
+        assert_eq!(to_nine_digits(5e-324), 5e-324);
     }
 }

@@ -13,7 +13,7 @@ use lemnis_models::scene::Scene;
 use serde::Serialize;
 
 use crate::answer::drawn::Drawn;
-use crate::answer::point::drawn;
+use crate::answer::point::to_nine_digits;
 use crate::book::parts;
 use crate::book::verdict::{utilisation, verdict};
 use crate::language::{Language, Words, symbols};
@@ -264,7 +264,7 @@ impl<'a> Teller<'a> {
     }
 
     fn curve(&self, curve: &sheet::Curve) -> Curve {
-        let shown = |[x, y]: [f64; 2]| [drawn(curve.x.shown(x)), drawn(curve.y.shown(y))];
+        let shown = |[x, y]: [f64; 2]| [curve.x.shown(x), curve.y.shown(y)].map(to_nine_digits);
         Curve {
             caption: self.word("curve", curve.id),
             x: self.axis(curve.x, None),
@@ -285,7 +285,10 @@ impl<'a> Teller<'a> {
             axis: self.axis(symbol, variable.number),
             source: symbol.source,
             output: variable.role == Role::Output,
-            values: values.iter().map(|value| drawn(symbol.shown(*value))).collect(),
+            values: values
+                .iter()
+                .map(|value| to_nine_digits(symbol.shown(*value)))
+                .collect(),
             texts: self.numbers.column(symbol, values.iter().copied()),
         }
     }

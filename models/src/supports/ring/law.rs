@@ -17,9 +17,9 @@ const EXPONENTS: [[u8; 2]; 3] = [[1, 1], [10, 9], [3, 2]];
 /// Whether rolling elements bear pressure alone, or a second row holds the ring down, as scenes name it.
 pub const ROWS: [&str; 2] = ["pressure", "hold_down"];
 
-/// A fall λ beyond that of a moment alone, on two rows.
+/// On two rows, a fall λ beyond that of a moment alone, which is 1.
 const HELD: f64 = 1.5;
-/// Into so many equal steps it goes, or the fall up to which all elements bear; at most so many elements part after that.
+/// How many falls are known: in equal steps as long as all elements bear, then at most so many at which one parts.
 const STEPS: usize = 32;
 const PARTINGS: usize = 32;
 /// How far off κ may be before the last step: some of its roundings, as its bends leave no room for more.
@@ -52,8 +52,8 @@ impl RollingElements {
         elements
     }
 
-    /// Falls λ between which κ has no sharp bend, or few; nothing else holds the ring down than the elements beside the
-    /// first, or a second row does.
+    /// Falls λ to be known, from zero to the last that can be: on two rows beyond a moment alone; on one, up to where the
+    /// elements beside the first part. κ bends where elements part.
     fn falls(&self) -> impl Iterator<Item = f64> {
         let farthest = self.cosines.len() / 2;
         let (end, partings) = if self.held_down {
@@ -97,7 +97,7 @@ impl RollingElements {
         self.means_on(self.held_down, approach, of)
     }
 
-    /// The same where all bear on two rows, or on one.
+    /// The same on two rows, where all bear, or on one, whatever the ring has.
     pub fn means_on<C: Calc, const N: usize>(
         &self,
         two_rows: bool,
