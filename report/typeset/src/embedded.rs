@@ -21,7 +21,7 @@ use typst_render::RenderOptions;
 use typst_svg::SvgOptions;
 
 use crate::fonts::Fonts;
-use crate::settled::{self, Places};
+use crate::settled::{self, Places, beside};
 use crate::typesetter::{Error, Files, Format, Typeset, Typesetter};
 
 /// The Typst inside this program. A character that no font has, embedded or of
@@ -45,14 +45,14 @@ impl Typesetter for Embedded {
     }
 }
 
-/// A document in layout. At its end, before it is exported, Typst forgets what as many documents as are in layout did
+/// A document in layout. At its end, while it is exported, Typst forgets what as many documents as are in layout did
 /// not use: each of them finds what its predecessor left.
-struct InWork;
+pub(crate) struct InWork;
 
 static IN_WORK: AtomicUsize = AtomicUsize::new(0);
 
 impl InWork {
-    fn begin() -> InWork {
+    pub(crate) fn begin() -> InWork {
         IN_WORK.fetch_add(1, Ordering::Relaxed);
         InWork
     }
@@ -65,8 +65,8 @@ impl Drop for InWork {
 }
 
 fn make(main: &str, files: &Files, format: Format, standard: Option<&str>) -> Result<Typeset, Error> {
+    let in_work = InWork::begin();
     if format == Format::Html {
-        let _in_work = InWork::begin();
         let world = Memory::new(main, files, Fonts::embedded().clone())?;
         return Ok(Typeset {
             files: vec![html(&world)?],
@@ -75,12 +75,14 @@ fn make(main: &str, files: &Files, format: Format, standard: Option<&str>) -> Re
         });
     }
     let (world, document, warnings) = pages(main, files)?;
-    let pages = document.pages().iter();
-    let files = match format {
-        Format::Svg => drawn(document.pages()),
-        Format::Png => pages.map(png).collect::<Result<_, _>>()?,
-        Format::Pdf | Format::Html => vec![pdf(&world, &document, standard)?],
+    let exported = || -> Result<_, Error> {
+        match format {
+            Format::Svg => Ok(drawn(document.pages())),
+            Format::Png => document.pages().iter().map(png).collect(),
+            Format::Pdf | Format::Html => Ok(vec![pdf(&world, &document, standard)?]),
+        }
     };
+    let files = beside(|| drop(in_work), exported)?;
     Ok(Typeset {
         files,
         places: places(&document),
@@ -101,7 +103,6 @@ fn places(document: &PagedDocument) -> BTreeMap<String, usize> {
 
 /// The pages, with the world that they are from, and the warnings.
 pub(crate) fn pages(main: &str, files: &Files) -> Result<(Memory, PagedDocument, Vec<String>), Error> {
-    let _in_work = InWork::begin();
     let mut world = Memory::new(main, files, Fonts::embedded().clone())?;
     let document = world.typeset()?;
     let missing: Vec<char> = world.fonts.unprintable(&document).into_keys().collect();

@@ -2,7 +2,7 @@
 
 use typst::layout::{Abs, Frame, FrameItem, Point, Transform};
 
-use crate::embedded::pages;
+use crate::embedded::{InWork, pages};
 use crate::typesetter::{Error, Files};
 
 /// Where a page is printed on, in mm from its left and upper edge.
@@ -28,6 +28,7 @@ pub struct Mark {
 /// # Errors
 /// As [`Typesetter::typeset`](crate::typesetter::Typesetter::typeset).
 pub fn ink(source: &str, files: &Files) -> Result<Vec<Ink>, Error> {
+    let _in_work = InWork::begin();
     let (_, document, _) = pages(source, files)?;
     let ink = document.pages().iter().map(|page| {
         let size = page.frame.size();

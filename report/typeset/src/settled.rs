@@ -31,6 +31,14 @@ pub fn typeset(world: &dyn World, earlier: Option<Places>) -> Warned<SourceResul
     Warned { output, warnings }
 }
 
+/// What is asked for, on this thread, and on one of its own what nobody waits for.
+pub fn beside<T>(other: impl FnOnce() + Send, asked: impl FnOnce() -> T) -> T {
+    std::thread::scope(|scope| {
+        scope.spawn(other);
+        asked()
+    })
+}
+
 /// A document that no further pass would change.
 struct Settled(PagedDocument);
 
@@ -82,8 +90,7 @@ impl Output for Settled {
             // A first document takes several passes; what none but the last but one needed would be its greatest memory.
             let known = document.introspector().clone();
             drop(document);
-            comemo::evict(1);
-            made = Settled::pass(engine, content, styles, &*known)?;
+            made = beside(|| comemo::evict(1), || Settled::pass(engine, content, styles, &*known))?;
         }
         bail!(
             Span::detached(),
