@@ -35,9 +35,13 @@ pub(crate) fn breakable(text: &str) -> String {
     let text = measures(text);
     let mut broken = String::with_capacity(text.len());
     for word in text.split_inclusive(|c: char| c.is_whitespace() || chinese(c)) {
-        let long = word.chars().count() > LONGEST;
+        // No word has more letters than bytes.
+        if word.len() <= LONGEST || word.chars().count() <= LONGEST {
+            broken.push_str(word);
+            continue;
+        }
         for (i, c) in word.chars().enumerate() {
-            if long && i > 0 && i % PIECE == 0 {
+            if i > 0 && i % PIECE == 0 {
                 broken.push('\u{200b}');
             }
             broken.push(c);
@@ -48,6 +52,9 @@ pub(crate) fn breakable(text: &str) -> String {
 
 /// Text with no-break spaces in products of measures: numbers and units on both sides of a cross.
 fn measures(text: &str) -> String {
+    if !text.contains('×') {
+        return text.to_owned();
+    }
     let words: Vec<&str> = text.split(' ').collect();
     let mut joined = String::with_capacity(text.len());
     for (i, word) in words.iter().enumerate() {
