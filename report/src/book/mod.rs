@@ -68,6 +68,17 @@ pub struct Source {
 }
 
 impl Edition<'_> {
+    /// Does the work, and reads meanwhile what a first book is made with.
+    pub fn meanwhile<T>(&self, work: impl FnOnce() -> T) -> T {
+        std::thread::scope(|scope| {
+            scope.spawn(|| {
+                self.templates.prepare(self.language);
+                self.typesetter.prepare();
+            });
+            work()
+        })
+    }
+
     /// The source of a scene's book.
     ///
     /// # Errors

@@ -11,7 +11,7 @@ use clap::builder::PossibleValuesParser;
 use clap::{Args, ValueEnum};
 use lemnis::book::Edition;
 use lemnis::language::Language;
-use lemnis::results;
+use lemnis::results::{self, Results};
 use lemnis::template::Templates;
 use lemnis_models::book::LEVELS;
 use lemnis_models::component::sheet::Sheet;
@@ -94,13 +94,6 @@ impl Making {
         }
     }
 
-    /// What the typesetter needs, while the book is written.
-    pub(crate) fn prepare(&self) {
-        if self.typst.is_none() {
-            Embedded::prepare();
-        }
-    }
-
     /// These options for another process.
     fn arguments(&self) -> Vec<OsString> {
         let options: [(&str, Option<OsString>); 4] = [
@@ -130,14 +123,17 @@ impl Making {
         }
     }
 
-    /// The PDF of one scene.
-    pub fn pdf(&self, scene: &Scene, sheet: &Sheet) -> Result<Output, Failure> {
+    /// The results of one scene, and its PDF.
+    pub fn pdf(&self, scene: &Scene) -> Result<(Results, Output), Failure> {
         let (templates, typesetter) = (self.templates()?, self.typesetter()?);
         let edition = self.edition(scene, &templates, &*typesetter);
-        let made = busy(format!("typesetting {}", scene.name()), || {
-            book(&edition, scene, sheet, Format::Pdf)
-        });
-        Ok(made?.remove(0))
+        edition.meanwhile(|| {
+            let results = Results::new(scene).map_err(Failure::of_scene)?;
+            let made = busy(format!("typesetting {}", scene.name()), || {
+                book(&edition, scene, &results.sheet, Format::Pdf)
+            });
+            Ok((results, made?.remove(0)))
+        })
     }
 }
 
@@ -176,9 +172,6 @@ fn book(edition: &Edition<'_>, scene: &Scene, sheet: &Sheet, format: Format) -> 
 
 impl Books {
     pub fn run(&self) -> Result<(), Failure> {
-        if self.scenes.len() <= 1 && self.format != Format::Typ {
-            self.making.prepare();
-        }
         if self.watch {
             return self.watch();
         }
@@ -231,11 +224,10 @@ impl Books {
         let (templates, typesetter) = (self.making.templates()?, self.making.typesetter()?);
         let make = |scene: &Scene| {
             let edition = self.making.edition(scene, &templates, &*typesetter);
-            let sheet = std::thread::scope(|scope| {
-                scope.spawn(|| templates.prepare(edition.language));
-                results::sheet(scene).map_err(Failure::of_scene)
-            })?;
-            output::complete(&self.output, &book(&edition, scene, &sheet, self.format)?)
+            edition.meanwhile(|| {
+                let sheet = results::sheet(scene).map_err(Failure::of_scene)?;
+                output::complete(&self.output, &book(&edition, scene, &sheet, self.format)?)
+            })
         };
         scenes.iter().map(make).collect()
     }

@@ -1,7 +1,6 @@
 //! `lemnis build`: both FMUs, with the book inside, and the book.
 
 use clap::Args;
-use lemnis::results::Results;
 
 use crate::commands::book::Making;
 use crate::commands::fmu::{Pack, documentation, fmus};
@@ -19,11 +18,9 @@ pub struct Build {
 
 impl Build {
     pub fn run(&self) -> Result<(), Failure> {
-        self.making.prepare();
         let Pack { make, platforms } = &self.pack;
         let scene = to_build(make.scene.as_deref())?.announced()?;
-        let results = Results::new(&scene).map_err(Failure::of_scene)?;
-        let pdf = self.making.pdf(&scene, &results.sheet)?;
+        let (results, pdf) = self.making.pdf(&scene)?;
         let documentation = documentation(&scene, Some(&pdf))?;
         let mut outputs = fmus(&scene, platforms.as_deref(), &documentation)?;
         outputs.push(pdf);

@@ -9,7 +9,7 @@ use lemnis::results;
 use lemnis::template::Templates;
 use lemnis_models::scene::Scene;
 use lemnis_serve::books::{Book, Printed, Wanted};
-use lemnis_typeset::{Embedded, Format};
+use lemnis_typeset::{Embedded, Format, Typesetter};
 
 use crate::decision::decided;
 use crate::failure::Failure;
@@ -21,7 +21,7 @@ const NAME: &str = "scene";
 
 /// Answers until there are no more lines.
 pub fn run() -> Result<(), Failure> {
-    Embedded::prepare();
+    std::thread::spawn(|| Embedded.prepare());
     let templates = Templates::embedded();
     for line in std::io::stdin().lock().lines() {
         let line = line.map_err(|error| Failure::File(format!("cannot read the standard input: {error}")))?;

@@ -29,17 +29,12 @@ use crate::typesetter::{Error, Files, Format, Typeset, Typesetter};
 #[derive(Clone, Copy, Debug)]
 pub struct Embedded;
 
-impl Embedded {
-    /// Reads fonts and library on a thread of their own: they are there when a document is.
-    pub fn prepare() {
-        std::thread::spawn(|| {
-            LazyLock::force(&LIBRARY);
-            Fonts::embedded();
-        });
-    }
-}
-
 impl Typesetter for Embedded {
+    fn prepare(&self) {
+        LazyLock::force(&LIBRARY);
+        Fonts::embedded();
+    }
+
     fn typeset(&self, main: &str, files: &Files, format: Format, standard: Option<&str>) -> Result<Typeset, Error> {
         make(main, files, format, standard)
     }

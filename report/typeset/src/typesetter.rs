@@ -69,6 +69,9 @@ pub struct Typeset {
 
 /// What turns Typst's source into pages.
 pub trait Typesetter: Sync {
+    /// Reads what a first document needs; without this it is read when it is needed.
+    fn prepare(&self) {}
+
     /// Typesets `main`, which can read `files`. A warning of Typst is an error.
     /// `standard` is the PDF/A standard to keep to beside PDF/UA-1, such as
     /// `a-3b`; other formats take no notice of it.
