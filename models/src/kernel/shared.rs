@@ -21,7 +21,7 @@ impl Watch<'_> {
     }
 }
 
-/// Results of `count` jobs in their order, whichever thread did them. The
+/// Results of `count` jobs in their order, whichever thread did them, the caller's among them. The
 /// first job is always done; later ones are left out after a stop.
 ///
 /// # Panics
@@ -29,20 +29,22 @@ impl Watch<'_> {
 pub fn shared<T: Send>(count: usize, threads: usize, watch: Watch<'_>, job: impl Fn(usize) -> T + Sync) -> Vec<T> {
     let next = AtomicUsize::new(0);
     let results = Mutex::new(Vec::new());
-    std::thread::scope(|scope| {
-        for _ in 0..threads.clamp(1, count.max(1)) {
-            scope.spawn(|| {
-                loop {
-                    let index = next.fetch_add(1, Ordering::Relaxed);
-                    if index >= count || (index > 0 && !watch.goes_on()) {
-                        return;
-                    }
-                    let result = job(index);
-                    (watch.run)();
-                    results.lock().expect("no job panics").push((index, result));
-                }
-            });
+    let work = || {
+        loop {
+            let index = next.fetch_add(1, Ordering::Relaxed);
+            if index >= count || (index > 0 && !watch.goes_on()) {
+                return;
+            }
+            let result = job(index);
+            (watch.run)();
+            results.lock().expect("no job panics").push((index, result));
         }
+    };
+    std::thread::scope(|scope| {
+        for _ in 1..threads.min(count) {
+            scope.spawn(work);
+        }
+        work();
     });
     let mut results = results.into_inner().expect("no job panics");
     results.sort_by_key(|&(index, _)| index);
