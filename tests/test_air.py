@@ -91,6 +91,28 @@ def test_gusts_against_an_independent_pendulum(windy, standard, kind):
     assert result["F_air"].max() > 2e3
 
 
+STRAIGHT = """v_air = { between = "linear", over = [["0 s", "0 m/s"], ["2 s", "16 m/s"], ["7 s", "-6 m/s"], ["10 s", "10 m/s"]] }
+chi_air = { between = "linear", over = [["1 s", "0 deg"], ["9 s", "120 deg"]] }
+"""
+
+
+@pytest.mark.parametrize("kind", ["CoSimulation", "ModelExchange"])
+def test_a_wind_that_rises_straight_against_an_independent_pendulum(kind, tmp_path):
+    """Speed and direction change between their times, and hold after the last of them; told by the scene, they are outputs."""
+    fmus = held(tmp_path, STRAIGHT)
+    told = ([0, 2, 7, 10], [0, 16, -6, 10]), ([1, 9], np.radians([0, 120]))
+    wind = lambda t: [np.interp(t, *course) for course in told]
+    for standard, path in fmus.items():
+        result = simulate_fmu(path, fmi_type=kind, stop_time=14.0, output_interval=0.5, step_size=1e-3, relative_tolerance=1e-9,
+                              output=["x_Q", "y_Q", "z_Q", "v_air", "chi_air"], record_events=False)
+        wanted = pendulum(result["time"], lambda t: (wind(t)[0] * math.cos(wind(t)[1]), wind(t)[0] * math.sin(wind(t)[1])))
+        found = np.column_stack([result[name] for name in ("x_Q", "y_Q", "z_Q")])
+        assert np.allclose(np.column_stack([result["v_air"], result["chi_air"]]), [wind(t) for t in result["time"]], atol=1e-9)
+        assert np.abs(wanted[:, [0, 2]]).max() > 0.2, "it swings"
+        allowed = 1e-7 if kind == "CoSimulation" else 1e-4
+        assert np.allclose(found, wanted, atol=allowed), (standard, np.abs(found - wanted).max())
+
+
 def test_small_swings_lose_their_logarithmic_decrement(tmp_path):
     """Drag left out, the swing's peaks fall by exp(−π δ/ω_d) from one side to the other."""
     text = 'v_air = "0 m/s"\n'

@@ -3,6 +3,7 @@
 import csv
 import hashlib
 import json
+import re
 import tomllib
 import zipfile
 
@@ -227,3 +228,43 @@ def test_what_slews_alone_has_steps_by_the_clock():
     # Four evaluations of RK4 in a quiet step.
     assert all(int(row[5]) % 4 == 0 and int(row[5]) >= 4 for row in rows[1:])
     assert "--realtime" in lemnis("trade", scene, expect=1)
+
+
+def test_parts_are_left_out_one_by_one(tmp_path):
+    """What leaving the air or slewing out costs, against FMPy on FMUs of scenes that people would write without them."""
+    container = (ROOT / "models/scenes/container_in_wind.toml").read_text(encoding="utf-8")
+    lemnis("trade", ROOT / "models/scenes/container_in_wind.toml", "--output", tmp_path, "--rounds", 1)
+    told = json.loads((tmp_path / "ContainerInWind_trade.json").read_text(encoding="utf-8"))
+    found = {part["without"]: part for part in told["parts"]["left_out"]}
+    assert set(found) == {"luffing.balance", "luffing.drive", "luffing.air", "luffing.slewing"}
+    table = {name: re.search(rf"^\[luffing\.{name}\].*?(?=^\[)", container, re.DOTALL | re.MULTILINE)[0] for name in ("air", "slewing")}
+    fewer = {"air": container.replace(table["air"], ""),
+             # The wind of a crane that does not slew has no direction.
+             "slewing": re.sub(r"chi_air = \{.*?\] \}\n", "", container.replace(table["slewing"], ""), flags=re.DOTALL)}
+    names = ["theta_1", "A.x", "A.y", "V_AX", "V_AY"]
+    runs = {}
+    for name, text in {"all": container, **fewer}.items():
+        (tmp_path / f"{name}.toml").write_text(text, encoding="utf-8")
+        lemnis("fmu", tmp_path / f"{name}.toml", "--output", tmp_path / name)
+        path = str(tmp_path / name / "ContainerInWind.fmu")
+        runs[name] = fmpy.simulate_fmu(path, stop_time=told["duration"], step_size=0.1, output_interval=0.1, output=names,
+                                       start_values={"step": 1e-3}, record_events=False)
+    for name in fewer:
+        for result in names:
+            off = np.abs(runs[name][result] - runs["all"][result]).max()
+            assert off == pytest.approx(found[f"luffing.{name}"]["errors"][result]["max"], rel=1e-6), (name, result)
+    assert found["luffing.air"]["cost"] < 0.5 * next(row["cost"] for row in told["settings"] if row["level"] == "swing")
+    # A drive whose moment is told on the bar changes nothing of the motion.
+    assert all(error["max"] == 0.0 for error in found["luffing.drive"]["errors"].values())
+
+
+def test_a_part_that_gives_less_than_is_allowed_is_named(tmp_path):
+    """By a choice of the level, too. In still air the load's damping alone moves the head by 0.37 m within 76 s."""
+    calm = (ROOT / "models/scenes/container_in_wind.toml").read_text(encoding="utf-8")
+    calm = re.sub(r"v_air = \{.*?\] \}\nchi_air = \{.*?\] \}\n", "", calm, flags=re.DOTALL).replace('c_wQ  = "1.2"\nA_Q   = "15 m2"\n', "")
+    calm = calm.replace('fidelity = "swing" ', 'fidelity = "auto" ').replace("[luffing]", 'accuracy = { "A.x" = "%s" }\n\n[luffing]', 1)
+    for allowed, named in (("500 mm", True), ("200 mm", False)):
+        (tmp_path / "calm.toml").write_text(calm % allowed, encoding="utf-8")
+        for command in ("trade", "fmu"):
+            told = lemnis(command, tmp_path / "calm.toml", "--output", tmp_path)
+            assert ("without [luffing.air] the results keep to the accuracy too" in told) == named, (command, allowed, told)

@@ -14,7 +14,7 @@ use lemnis_trade::trade::SAMPLE;
 use toml_edit::{Document, value};
 
 use crate::failure::Failure;
-use crate::measuring::{measured, verdict};
+use crate::measuring::{dispensable, measured, verdict};
 use crate::output::say;
 use crate::progress::busy;
 use crate::scene_file;
@@ -67,6 +67,7 @@ fn chosen(scene: &Scene, name: &str, notes: &mut Vec<String>) -> Result<Scene, F
         return Err(undecided(told));
     };
     notes.push(told);
+    notes.extend(dispensable(&traded));
     let level = row.setting.level;
     let unused = scene.mechanism.unused(level);
     let solver = scene.mechanism.solver();

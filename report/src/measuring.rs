@@ -3,6 +3,7 @@
 use lemnis_models::kernel::number::{rough, short};
 use lemnis_models::kernel::variable::Fault;
 use lemnis_models::scene::Scene;
+use lemnis_trade::parts::Part;
 use lemnis_trade::realtime::{Paces, STEPS};
 use lemnis_trade::trade::{self, Trade};
 
@@ -74,6 +75,33 @@ pub fn verdict(scene: &Scene, traded: &Trade) -> String {
         row.setting,
         missed.collect::<Vec<_>>().join("; ")
     )
+}
+
+/// Parts without which every result is still as accurate as the scene asks, and what the rest costs.
+pub fn dispensable(traded: &Trade) -> Vec<String> {
+    let whole = &traded.rows[traded.whole];
+    let of = |part: &Part| {
+        let without = part
+            .without
+            .as_ref()
+            .ok()
+            .filter(|without| without.holds == Some(true))?;
+        let left = match without.seconds.zip(whole.seconds) {
+            Some((own, all)) => format!("{} of the time", percent(own / all)),
+            None => format!("{} of the counted work", percent(without.cost / whole.cost)),
+        };
+        let table = &part.table;
+        Some(format!(
+            "without [{table}] the results keep to the accuracy too, in {left} at {}",
+            without.setting
+        ))
+    };
+    traded.parts.iter().filter_map(of).collect()
+}
+
+/// A part of a whole.
+pub fn percent(part: f64) -> String {
+    format!("{} %", short((100.0 * part).round()))
 }
 
 /// How great something is; a dash for what is not modelled.

@@ -50,7 +50,7 @@ pub const AIR: Key = Key::part("air", AIR_KEYS, "Air that resists a load on its 
 
 static AIR_KEYS: &[Key] = keys! { s:
     Q_AIR > 0 [or_mass], D_Q >= 0 [usually(0.0)], C_WQ >= 0 [usually(0.0)], A_Q >= 0 [usually(0.0)],
-    RHO_AIR > 0 [usually(1.225)], V_AIR [in_steps, optional], CHI_AIR [in_steps, optional]
+    RHO_AIR > 0 [usually(1.225)], V_AIR [over_time, optional], CHI_AIR [over_time, optional]
 };
 
 /// Most that the air may take of the load's speed in the strongest wind, over the frequency of its swinging: beyond that

@@ -6,7 +6,9 @@
 //! | [`experiment`] | the motion that all levels make, and the drive that makes it |
 //! | [`setting`] | a level with its solver and step, and the price of counted work |
 //! | [`library`] | a second solver, of a library, over the model's rates and events |
+//! | [`timed`] | one of them run, counted and clocked |
 //! | [`trade`] | references that two codes agree on, errors, the front, the choice |
+//! | [`parts`] | what each part of a scene gives and costs |
 //! | [`realtime`] | communication steps by the clock, one by one |
 //!
 //! *Modelling* error is a level's own solution against that of the deepest level;
@@ -17,6 +19,8 @@
 
 pub mod experiment;
 pub mod library;
+pub mod parts;
 pub mod realtime;
 pub mod setting;
+pub mod timed;
 pub mod trade;

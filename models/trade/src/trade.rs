@@ -2,7 +2,6 @@
 //! what is worth its price, and the choice.
 
 use std::fmt;
-use std::time::Instant;
 
 use lemnis_models::kernel::number::{Digits, Number, exact, short};
 use lemnis_models::kernel::variable::{Fault, Role, Type, Variable};
@@ -11,7 +10,9 @@ use lemnis_models::scene::Scene;
 
 use crate::experiment::{Experiment, Seen};
 use crate::library::Library;
+use crate::parts::{Part, left_out, parts};
 use crate::setting::{Method, Setting, index};
+use crate::timed::Timed;
 
 /// Part of a result's range to which the two codes must agree.
 pub const AGREEMENT: f64 = 1e-6;
@@ -47,6 +48,19 @@ pub struct Asked {
     pub allowed: Option<f64>,
     /// From its least to its greatest value on the deepest level.
     pub range: f64,
+}
+
+impl Asked {
+    /// How far it counts as off where it is by so much: what the references themselves may be off is added.
+    fn counted(&self, off: f64) -> f64 {
+        off + AGREEMENT * self.range
+    }
+}
+
+/// Whether every result that is off by so much is as accurate as it must be; `None` where nothing is asked.
+pub(crate) fn all_keep(asked: &[Asked], off: impl Iterator<Item = f64>) -> Option<bool> {
+    let keeps = |(asked, off): (&Asked, f64)| Some(asked.counted(off) <= asked.allowed?);
+    asked.iter().zip(off).filter_map(keeps).reduce(|all, kept| all && kept)
 }
 
 /// A level's solution by two codes.
@@ -112,6 +126,9 @@ pub struct Trade {
     pub references: Vec<Reference>,
     /// From cheap to dear.
     pub rows: Vec<Row>,
+    /// Place of the row at whose setting the parts are left out.
+    pub whole: usize,
+    pub parts: Vec<Part>,
 }
 
 /// Why there is no trade.
@@ -175,6 +192,7 @@ impl Trade {
             ))));
         }
         let mut asked = asked(scene, deepest)?;
+        let left_out = left_out(scene, deepest, &asked);
         let mut names: Vec<String> = asked.iter().map(|asked| asked.name.clone()).collect();
         // What moves is followed by the levels where it is an input.
         let model = scene.at(deepest).model()?;
@@ -227,7 +245,12 @@ impl Trade {
         rows.sort_by(|a, b| a.cost.total_cmp(&b.cost));
         mark_front(&mut rows, &asked);
         references.reverse();
+        let whole = whole(&rows, deepest, &asked);
+        let parts = parts(left_out, &experiment, &rows[whole].setting, &asked, &truth, rounds);
+        done();
         Ok(Trade {
+            whole,
+            parts,
             asked,
             sample,
             duration: experiment.duration(),
@@ -241,7 +264,7 @@ impl Trade {
     #[must_use]
     pub fn steps(scene: &Scene, sample: f64) -> usize {
         let of = |level: &&'static str| 1 + Setting::all(scene, level, sample).len();
-        scene.levels().iter().map(of).sum()
+        1 + scene.levels().iter().map(of).sum::<usize>()
     }
 
     /// The cheapest setting, by counted work, at which every result is as accurate as the scene asks.
@@ -265,7 +288,7 @@ impl Trade {
         let best = rows.min_by(|a, b| worst(a).total_cmp(&worst(b)))?;
         let missed = self.asked.iter().zip(&best.errors).enumerate();
         let missed = missed.filter_map(|(result, (asked, errors))| {
-            let off = errors.map_or(f64::INFINITY, |e| e.total.max + AGREEMENT * asked.range);
+            let off = asked.counted(errors.map_or(f64::INFINITY, |e| e.total.max));
             asked
                 .allowed
                 .filter(|allowed| off > *allowed)
@@ -359,18 +382,8 @@ fn row(
     truth: &Seen,
     rounds: usize,
 ) -> Result<Row, Fault> {
-    let mut model = setting.model(scene, experiment.sample)?;
-    let bytes = 8 * model.numbers(&model.state()).len();
-    let seen = experiment.run(scene, &mut model, names, &mut |model, from, to| model.advance(from, to))?;
-    let work = model.count();
-    let mut clocked = Vec::new();
-    for _ in 0..rounds {
-        let mut model = setting.model(scene, experiment.sample)?;
-        let clock = Instant::now();
-        experiment.replay(&mut model, &names[..asked.len()], &seen.commands)?;
-        clocked.push(clock.elapsed().as_secs_f64());
-    }
-    clocked.sort_by(f64::total_cmp);
+    let timed = Timed::new(scene, experiment, &setting, names, (asked.len(), rounds))?;
+    let seen = &timed.seen;
     let errors: Vec<Option<Errors>> = (0..asked.len())
         .map(|i| {
             let (own, level, deepest) = (&seen.series[i], &reference.seen.series[i], &truth.series[i]);
@@ -381,21 +394,16 @@ fn row(
             })
         })
         .collect();
-    let holds = |(asked, errors): (&Asked, &Option<Errors>)| {
-        let allowed = asked.allowed?;
-        // What the references themselves may be off counts as well.
-        Some(errors.is_some_and(|e| e.total.max + AGREEMENT * asked.range <= allowed))
-    };
-    let mut verdicts = asked.iter().zip(&errors).filter_map(holds).peekable();
-    let holds = verdicts.peek().is_some().then(|| verdicts.all(|held| held));
-    let follows = experiment.own_command().is_some_and(|id| index(&model, id).is_none());
-    let duration = experiment.duration();
+    let off = |errors: &Option<Errors>| errors.map_or(f64::INFINITY, |e| e.total.max);
+    let holds = all_keep(asked, errors.iter().map(off));
+    let follows = experiment.own_command();
+    let follows = follows.is_some_and(|id| index(&timed.model, id).is_none());
     Ok(Row {
         setting,
-        seconds: clocked.get(rounds / 2).map(|seconds| seconds / duration),
-        cost: setting.price(scene, &work, experiment.samples) / duration,
-        work,
-        bytes,
+        seconds: timed.seconds,
+        cost: timed.cost,
+        work: timed.work,
+        bytes: timed.bytes,
         errors,
         follows,
         front: false,
@@ -415,6 +423,21 @@ pub fn relative(row: &Row, asked: &[Asked]) -> f64 {
         }
     };
     asked.iter().zip(&row.errors).map(part).fold(0.0, f64::max)
+}
+
+/// Numerical error, as a part of a result's range, that does not hide what a part gives.
+const SMALL: f64 = 1e-3;
+
+/// Of the deepest level the cheapest row whose own solution is good enough to leave parts out of it, or its dearest.
+fn whole(rows: &[Row], deepest: &str, asked: &[Asked]) -> usize {
+    let good = |row: &Row| {
+        let mut errors = asked.iter().zip(&row.errors);
+        errors.all(|(asked, errors)| errors.is_some_and(|errors| errors.numerical.max <= SMALL * asked.range))
+    };
+    let own = |(_, row): &(usize, &Row)| row.setting.level == deepest;
+    let mut of_level = rows.iter().enumerate().filter(own);
+    let found = of_level.clone().find(|(_, row)| good(row)).or(of_level.next_back());
+    found.map_or(0, |(place, _)| place)
 }
 
 /// What a dearer setting must be more accurate by to be worth its price.
@@ -442,7 +465,7 @@ fn covered(series: &[f64]) -> f64 {
     (most - least).max(STILL * most.abs().max(least.abs()))
 }
 
-fn distance(a: &[f64], b: &[f64]) -> Size {
+pub(crate) fn distance(a: &[f64], b: &[f64]) -> Size {
     let (mut max, mut sum) = (0.0_f64, 0.0);
     for (a, b) in a.iter().zip(b) {
         let off = if a == b { 0.0 } else { (a - b).abs() };

@@ -29,6 +29,21 @@ pub(super) struct Trade {
     rows: Vec<Row>,
     /// Place of the cheapest that keeps to the accuracy among the rows.
     choice: Option<usize>,
+    /// Place of the row at whose setting the parts are left out.
+    whole: usize,
+    parts: Vec<LeftOut>,
+}
+
+/// The scene without one of its parts.
+#[derive(Serialize)]
+struct LeftOut {
+    table: String,
+    /// Where it runs at another one than all parts do.
+    setting: Option<String>,
+    /// By counted work, and as a part of what all parts cost; none where it does not run.
+    cost: Option<[String; 2]>,
+    /// Of each result, in its unit.
+    errors: Vec<String>,
 }
 
 /// How far apart two codes are on a level, as a part of a result's range.
@@ -139,6 +154,22 @@ impl Trade {
                     .collect(),
             }
         });
+        let whole = &traded.rows[traded.whole];
+        let parts = traded.parts.iter().map(|part| {
+            let without = part.without.as_ref().ok();
+            let errors = without.map_or(&[][..], |without| &without.errors);
+            let errors = traded.asked.iter().zip(errors);
+            LeftOut {
+                table: part.table.clone(),
+                setting: without
+                    .filter(|without| without.setting != whole.setting)
+                    .and_then(|without| setting(numbers, names, &without.setting)),
+                cost: without.map(|without| [1e6 * without.cost, without.cost / whole.cost].map(digits)),
+                errors: errors
+                    .map(|(asked, error)| digits(asked.variable.symbol.shown(error.max)))
+                    .collect(),
+            }
+        });
         let axes = ["e", "c thin \"/\" thin \"µs/s\""];
         Ok(Trade {
             command: traded.command.and_then(|id| {
@@ -154,6 +185,8 @@ impl Trade {
             results: results.collect(),
             choice: traded.rows.iter().position(|row| row.holds == Some(true)),
             rows: rows.collect(),
+            whole: traded.whole,
+            parts: parts.collect(),
         })
     }
 }

@@ -17,7 +17,7 @@ use lemnis_typeset::{Embedded, Format, Typesetter};
 use serde_json::{Map, Value, json};
 
 use crate::failure::Failure;
-use crate::measuring::{digits, keeping, measured, paced, verdict};
+use crate::measuring::{digits, dispensable, keeping, measured, paced, percent, verdict};
 use crate::output::{Output, say, write};
 use crate::scene_file;
 
@@ -121,8 +121,57 @@ fn table(scene: &Scene, traded: &Traded) -> String {
             "  follows: cannot take the command and is led along the deepest level's motion, so it is no substitute\n",
         );
     }
-    let _ = writeln!(text, "  {}", verdict(scene, traded));
+    left_out(traded, &mut text);
+    for line in [verdict(scene, traded)].into_iter().chain(dispensable(traded)) {
+        let _ = writeln!(text, "  {line}");
+    }
     text
+}
+
+/// What each part of the scene gives and costs.
+fn left_out(traded: &trade::Trade, text: &mut String) {
+    let whole = &traded.rows[traded.whole];
+    let price = |seconds: Option<f64>, cost: f64| seconds.unwrap_or(cost);
+    let all = price(whole.seconds, whole.cost);
+    let mut rows = vec![["without", "us/s", "of all"].map(str::to_owned).to_vec()];
+    rows[0].extend(heads(traded));
+    for part in &traded.parts {
+        let mut cells = vec![format!("[{}]", part.table)];
+        match &part.without {
+            Ok(without) => {
+                if without.setting != whole.setting {
+                    cells[0] = format!("{}, at {}", cells[0], without.setting);
+                }
+                let own = price(without.seconds, without.cost);
+                cells.extend([digits(own * 1e6), percent(own / all)]);
+                let errors = traded.asked.iter().zip(&without.errors);
+                cells.extend(errors.map(|(asked, error)| digits(asked.variable.symbol.shown(error.max))));
+            }
+            Err(_) => cells.resize(rows[0].len(), "-".to_owned()),
+        }
+        rows.push(cells);
+    }
+    if traded.parts.is_empty() {
+        return;
+    }
+    let _ = writeln!(
+        text,
+        "  each part left out, at {}, where all of them take {} us/s; the greatest errors are those of the model",
+        whole.setting,
+        digits(all * 1e6)
+    );
+    align(&rows, 1, text);
+    for part in &traded.parts {
+        if let Err(fault) = &part.without {
+            let _ = writeln!(text, "  without [{}] it does not run: {}", part.table, fault.message);
+        }
+    }
+}
+
+/// The results that are compared, with their units.
+fn heads(traded: &trade::Trade) -> impl Iterator<Item = String> {
+    let head = |asked: &trade::Asked| format!("{} [{}]", asked.name, asked.variable.symbol.display.name);
+    traded.asked.iter().map(head)
 }
 
 /// How long communication steps take, a line for each level.
@@ -160,9 +209,7 @@ fn cells(traded: &trade::Trade) -> Vec<Vec<String>> {
             .map(str::to_owned)
             .to_vec(),
     ];
-    for asked in &traded.asked {
-        rows[0].push(format!("{} [{}]", asked.name, asked.variable.symbol.display.name));
-    }
+    rows[0].extend(heads(traded));
     rows[0].extend(["numerical", "modelling"].map(str::to_owned));
     for row in &traded.rows {
         let mark = match (row.front, row.follows) {
@@ -277,11 +324,24 @@ fn json(scene: &Scene, traded: &Traded) -> String {
         })
     });
     let choice = traded.choice().map(|row| row.setting.to_string());
+    let parts = traded.parts.iter().map(|part| match &part.without {
+        Ok(without) => {
+            let errors = traded.asked.iter().zip(&without.errors);
+            let errors = errors.map(|(asked, error)| (asked.name.clone(), size(*error)));
+            json!({
+                "without": part.table, "setting": without.setting.to_string(), "seconds_per_second": without.seconds.map(number), "cost": number(without.cost),
+                "holds": without.holds, "errors": errors.collect::<Map<_, _>>(),
+            })
+        }
+        Err(fault) => json!({ "without": part.table, "fault": fault.message }),
+    });
     let whole = json!({
         "name": scene.name(), "motion": traded.command.unwrap_or("cycle"), "duration": number(traded.duration),
         "communication_step": number(traded.sample), "agreement_asked": number(AGREEMENT),
         "results": asked.collect::<Map<_, _>>(), "references": references.collect::<Vec<_>>(),
-        "settings": rows.collect::<Vec<_>>(), "choice": choice, "verdict": verdict(scene, traded),
+        "settings": rows.collect::<Vec<_>>(), "choice": choice,
+        "parts": { "setting": traded.rows[traded.whole].setting.to_string(), "left_out": parts.collect::<Vec<_>>() },
+        "verdict": verdict(scene, traded),
     });
     serde_json::to_string_pretty(&whole).expect("plain data")
 }

@@ -1,5 +1,7 @@
 //! A crane carried on in time under commands that may follow from it.
 
+use std::borrow::Cow;
+
 use crate::luffing::moving::crane::{Commands, CraneState, MovingCrane, Struck};
 use crate::parts::joint::JointDrive;
 use crate::parts::solver::pieces::{self, Pieces};
@@ -9,8 +11,14 @@ use crate::parts::solver::{Count, Halt};
 struct Commanded<'a, const N: usize, const J: usize> {
     crane: &'a MovingCrane<N, J>,
     commands: &'a Commands<J>,
-    /// How fast they change, where they do.
-    slopes: Option<&'a Commands<J>>,
+    slopes: Option<&'a Slopes<J>>,
+}
+
+/// How fast commands change, and the wind's speed (m/s²) and direction (rad/s).
+#[derive(Clone, Copy, Debug)]
+pub struct Slopes<const J: usize> {
+    pub commands: Commands<J>,
+    pub wind: [f64; 2],
 }
 
 impl<const N: usize, const J: usize> Commanded<'_, N, J> {
@@ -19,7 +27,22 @@ impl<const N: usize, const J: usize> Commanded<'_, N, J> {
     fn at(&self, time: f64) -> Commands<J> {
         match self.slopes {
             None => *self.commands,
-            Some(slopes) => self.commands.changed(slopes, time),
+            Some(slopes) => self.commands.changed(&slopes.commands, time),
+        }
+    }
+
+    /// In the wind of a time since the start, in s.
+    #[inline]
+    fn blown(&self, time: f64) -> Cow<'_, MovingCrane<N, J>> {
+        match (self.slopes, self.crane.dynamics.air()) {
+            (Some(slopes), Some(air)) if slopes.wind != [0.0; 2] => {
+                let mut crane = self.crane.clone();
+                let [speed, to] = air.blows;
+                let [gains, turns] = slopes.wind;
+                crane.dynamics.put_wind([speed + gains * time, to + turns * time]);
+                Cow::Owned(crane)
+            }
+            _ => Cow::Borrowed(self.crane),
         }
     }
 }
@@ -34,7 +57,7 @@ where
 
     #[inline]
     fn rates(&self, time: f64, state: &CraneState<N, J>, y: &[f64; N]) -> Option<[f64; N]> {
-        self.crane.rates(state, &self.at(time), y)
+        self.blown(time).rates(state, &self.at(time), y)
     }
 
     fn is_forced(&self) -> bool {
@@ -43,11 +66,11 @@ where
 
     #[inline]
     fn crossed(&self, time: f64, state: &CraneState<N, J>, y: &[f64; N]) -> bool {
-        pieces::crossed(self.crane.indicators(state, &self.at(time), y))
+        pieces::crossed(self.blown(time).indicators(state, &self.at(time), y))
     }
 
     fn event(&self, time: f64, state: &mut CraneState<N, J>) -> Result<(), Halt> {
-        self.crane.event(state, &self.at(time)).map(|_| ())
+        self.blown(time).event(state, &self.at(time)).map(|_| ())
     }
 }
 
@@ -70,14 +93,14 @@ where
         self.follow(state, (commands, None), duration, longest)
     }
 
-    /// The same under commands that may change at some rates.
+    /// The same under commands and in a wind that may change at some rates.
     ///
     /// # Errors
     /// As [`advance`](MovingCrane::advance).
     pub fn follow(
         &self,
         state: &mut CraneState<N, J>,
-        (commands, slopes): (&Commands<J>, Option<&Commands<J>>),
+        (commands, slopes): (&Commands<J>, Option<&Slopes<J>>),
         duration: f64,
         longest: f64,
     ) -> Result<Count, Halt> {

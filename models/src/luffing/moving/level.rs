@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 use crate::kernel::calc::Calc;
 use crate::luffing::moving::blown::directions;
 use crate::luffing::moving::crane::{Commands, CraneState, Hangs, MovingCrane, Snapshot, Struck};
+use crate::luffing::moving::driven::Slopes;
 use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
 use crate::luffing::moving::given::{Inputs, MOST_STATES};
 use crate::luffing::moving::hydraulic::{self, FIRST, FIXED, Hydraulic, Modes, PresentCrane};
@@ -345,7 +346,10 @@ where
     let work = match on {
         None => crane.event(&mut state, commands).map(|_| Count::default())?,
         Some(on) => {
-            let slopes = on.slopes.map(|slopes| slopes.of());
+            let slopes = on.slopes.map(|slopes| Slopes {
+                commands: slopes.of(),
+                wind: slopes.wind,
+            });
             crane.follow(&mut state, (commands, slopes.as_ref()), on.duration, on.longest)?
         }
     };

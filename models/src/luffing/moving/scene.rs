@@ -194,14 +194,16 @@ fn inputs(v: &Values, [dynamics, hoisting]: [&Values; 2], of: fn(&Values, &str) 
     }
 }
 
-/// A command that goes straight from one value to the next beside oil, whose solver runs ahead of the time.
+/// A command, or a wind, that goes straight from one value to the next beside oil, whose solver runs ahead of the time.
 fn straight_beside_oil(v: &Values) -> Option<Diagnostic> {
-    let tables = ["slewing", "hoisting"].into_iter().filter_map(|name| v.table(name));
+    let tables = ["slewing", "hoisting", AIR.name]
+        .into_iter()
+        .filter_map(|name| v.table(name));
     let straight = |table: &Values| {
         let mut told = table.courses().into_iter();
         let (symbol, _) = told.find(|(_, course)| course.between == Between::Linear)?;
         let what = format!("{} goes straight from one time to the next beside oil", symbol.id);
-        let help = "set between = \"steps\": commands of a crane with oil hold between two times";
+        let help = "set between = \"steps\": beside oil commands and wind hold between two times";
         Some(table.refuse(symbol.id, what, "not with oil", help))
     };
     tables.into_iter().find_map(straight)
