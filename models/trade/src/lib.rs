@@ -7,6 +7,7 @@
 //! | [`setting`] | a level with its solver and step, and the price of counted work |
 //! | [`library`] | a second solver, of a library, over the model's rates and events |
 //! | [`timed`] | one of them run, counted and clocked |
+//! | [`compared`] | results that are compared, and errors |
 //! | [`trade`] | references that two codes agree on, errors, the front, the choice |
 //! | [`parts`] | what each part of a scene gives and costs |
 //! | [`realtime`] | communication steps by the clock, one by one |
@@ -17,6 +18,7 @@
 
 #![forbid(unsafe_code)]
 
+pub mod compared;
 pub mod experiment;
 pub mod library;
 pub mod parts;

@@ -9,10 +9,10 @@ use lemnis_models::kernel::variable::{Fault, Variable};
 use lemnis_models::scene::Scene;
 use toml_edit::{Document, Item, Table};
 
+use crate::compared::{Asked, Size, all_keep, distance};
 use crate::experiment::{Experiment, Seen};
 use crate::setting::Setting;
 use crate::timed::Timed;
-use crate::trade::{Asked, Size, all_keep, distance};
 
 /// A part, and what comes of leaving it out.
 #[derive(Clone, Debug)]

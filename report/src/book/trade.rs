@@ -4,8 +4,9 @@ use lemnis_models::kernel::number::{rough, short};
 use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::kernel::variable::Variable;
 use lemnis_models::scene::Scene;
+use lemnis_trade::compared::Asked;
 use lemnis_trade::setting::{Method, Setting};
-use lemnis_trade::trade::{Asked, Errors, Failure, SAMPLE, Trade as Traded};
+use lemnis_trade::trade::{Errors, Failure, SAMPLE, Trade as Traded};
 use serde::Serialize;
 
 use crate::book::blocks::Quantity;

@@ -11,8 +11,9 @@ use lemnis::print::diagram;
 use lemnis::template::Templates;
 use lemnis_models::kernel::number::{rough, short};
 use lemnis_models::scene::Scene;
+use lemnis_trade::compared::{AGREEMENT, Asked, Size};
 use lemnis_trade::realtime::{Paces, STEP};
-use lemnis_trade::trade::{self, AGREEMENT, SAMPLE, Size, Trade as Traded};
+use lemnis_trade::trade::{self, SAMPLE, Trade as Traded};
 use lemnis_typeset::{Embedded, Format, Typesetter};
 use serde_json::{Map, Value, json};
 
@@ -170,7 +171,7 @@ fn left_out(traded: &trade::Trade, text: &mut String) {
 
 /// The results that are compared, with their units.
 fn heads(traded: &trade::Trade) -> impl Iterator<Item = String> {
-    let head = |asked: &trade::Asked| format!("{} [{}]", asked.name, asked.variable.symbol.display.name);
+    let head = |asked: &Asked| format!("{} [{}]", asked.name, asked.variable.symbol.display.name);
     traded.asked.iter().map(head)
 }
 
