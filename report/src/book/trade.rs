@@ -5,6 +5,7 @@ use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::kernel::variable::Variable;
 use lemnis_models::scene::Scene;
 use lemnis_trade::compared::Asked;
+use lemnis_trade::parts::Part;
 use lemnis_trade::setting::{Method, Setting};
 use lemnis_trade::trade::{Errors, Failure, SAMPLE, Trade as Traded};
 use serde::Serialize;
@@ -155,22 +156,6 @@ impl Trade {
                     .collect(),
             }
         });
-        let whole = &traded.rows[traded.whole];
-        let parts = traded.parts.iter().map(|part| {
-            let without = part.without.as_ref().ok();
-            let errors = without.map_or(&[][..], |without| &without.errors);
-            let errors = traded.asked.iter().zip(errors);
-            LeftOut {
-                table: part.table.clone(),
-                setting: without
-                    .filter(|without| without.setting != whole.setting)
-                    .and_then(|without| setting(numbers, names, &without.setting)),
-                cost: without.map(|without| [1e6 * without.cost, without.cost / whole.cost].map(digits)),
-                errors: errors
-                    .map(|(asked, error)| digits(asked.variable.symbol.shown(error.max)))
-                    .collect(),
-            }
-        });
         let axes = ["e", "c thin \"/\" thin \"µs/s\""];
         Ok(Trade {
             command: traded.command.and_then(|id| {
@@ -187,9 +172,34 @@ impl Trade {
             choice: traded.rows.iter().position(|row| row.holds == Some(true)),
             rows: rows.collect(),
             whole: traded.whole,
-            parts: parts.collect(),
+            parts: left_out(numbers, names, &traded, &digits),
         })
     }
+}
+
+/// The scene without each of its parts.
+fn left_out(
+    numbers: &Numbers,
+    names: Option<[&'static Symbol; 2]>,
+    traded: &Traded,
+    digits: &dyn Fn(f64) -> String,
+) -> Vec<LeftOut> {
+    let whole = &traded.rows[traded.whole];
+    let of = |part: &Part| {
+        let without = part.without.as_ref().ok();
+        let finer = without.filter(|without| without.setting != whole.setting);
+        let errors = without.map_or(&[][..], |without| &without.errors);
+        let errors = traded.asked.iter().zip(errors);
+        LeftOut {
+            table: part.table.clone(),
+            setting: finer.and_then(|without| setting(numbers, names, &without.setting)),
+            cost: without.map(|without| [1e6 * without.cost, without.cost / whole.cost].map(digits)),
+            errors: errors
+                .map(|(asked, error)| digits(asked.variable.symbol.shown(error.max)))
+                .collect(),
+        }
+    };
+    traded.parts.iter().map(of).collect()
 }
 
 /// How many for each of so many seconds.
