@@ -268,3 +268,14 @@ def test_a_part_that_gives_less_than_is_allowed_is_named(tmp_path):
         for command in ("trade", "fmu"):
             told = lemnis(command, tmp_path / "calm.toml", "--output", tmp_path)
             assert ("without [luffing.air] the results keep to the accuracy too" in told) == named, (command, allowed, told)
+
+
+def test_short_communication_steps_are_the_longest_inner_ones(tmp_path):
+    """Below all steps that are tried otherwise, too: a level always has a setting, and parts are left out of the deepest."""
+    told = lemnis("trade", ROOT / "models/scenes/container_in_wind.toml", "--step", "0.001", "--rounds", 1, "--output", tmp_path)
+    found = json.loads((tmp_path / "ContainerInWind_trade.json").read_text(encoding="utf-8"))
+    assert [(row["level"], row["setting"]) for row in found["settings"] if row["setting"]] == [
+        ("rigid", {"step": "1 ms"}), ("swing", {"step": "1 ms"})]
+    assert found["parts"]["setting"] == "swing, RK4, step = 1 ms" and "nothing was measured" not in told
+    off = {part["without"]: part["errors"]["A.x"]["max"] for part in found["parts"]["left_out"]}
+    assert off["luffing.drive"] == 0.0 < min(off[f"luffing.{part}"] for part in ("air", "balance", "slewing"))

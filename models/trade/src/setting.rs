@@ -44,17 +44,19 @@ const FINE_INTERPOLATION: f64 = 1e-11;
 const POSITION: [f64; 2] = [0.03e-6, 0.08e-6];
 
 impl Setting {
-    /// All that apply at a level, from cheap to fine, with communication steps of `sample` s.
+    /// All that apply at a level, from cheap to fine, with communication steps of `sample` s: at least one, and no inner
+    /// step is longer than those.
     #[must_use]
     pub fn all(scene: &Scene, level: &'static str, sample: f64) -> Vec<Setting> {
         let of = |method| Setting { level, method };
         match Setting::fine(scene, level).method {
             Method::Closed => vec![of(Method::Closed)],
-            Method::Explicit(_) => STEPS
-                .into_iter()
-                .filter(|step| *step <= sample)
-                .map(|step| of(Method::Explicit(step)))
-                .collect(),
+            Method::Explicit(_) => {
+                let longest = sample.min(STEPS[0]);
+                let finer = STEPS.into_iter().filter(|step| *step < longest);
+                let steps = std::iter::once(longest).chain(finer);
+                steps.map(|step| of(Method::Explicit(step))).collect()
+            }
             Method::Implicit(_) => TOLERANCES.map(|tol| of(Method::Implicit(tol))).to_vec(),
             Method::Interpolated(_) => INTERPOLATIONS.map(|tol| of(Method::Interpolated(tol))).to_vec(),
         }

@@ -403,7 +403,7 @@ fn whole(rows: &[Row], deepest: &str, asked: &[Asked]) -> usize {
     let own = |(_, row): &(usize, &Row)| row.setting.level == deepest;
     let mut of_level = rows.iter().enumerate().filter(own);
     let found = of_level.clone().find(|(_, row)| good(row)).or(of_level.next_back());
-    found.map_or(0, |(place, _)| place)
+    found.expect("every level has a setting").0
 }
 
 /// What a dearer setting must be more accurate by to be worth its price.

@@ -330,8 +330,8 @@ fn json(scene: &Scene, traded: &Traded) -> String {
             let errors = traded.asked.iter().zip(&without.errors);
             let errors = errors.map(|(asked, error)| (asked.name.clone(), size(*error)));
             json!({
-                "without": part.table, "setting": without.setting.to_string(), "seconds_per_second": without.seconds.map(number), "cost": number(without.cost),
-                "holds": without.holds, "errors": errors.collect::<Map<_, _>>(),
+                "without": part.table, "setting": without.setting.to_string(),
+                "seconds_per_second": without.seconds.map(number), "cost": number(without.cost), "holds": without.holds, "errors": errors.collect::<Map<_, _>>(),
             })
         }
         Err(fault) => json!({ "without": part.table, "fault": fault.message }),
