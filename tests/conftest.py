@@ -1,6 +1,7 @@
 """The program's results for the default scene, made once for all tests."""
 
 import os
+import re
 import subprocess
 import tomllib
 from pathlib import Path
@@ -16,6 +17,21 @@ def lemnis(*arguments, expect=0):
     done = subprocess.run([str(LEMNIS), *map(str, arguments)], capture_output=True, text=True, encoding="utf-8")
     assert done.returncode == expect, done.stderr
     return done.stdout if expect == 0 else done.stderr
+
+
+def typst(path):
+    """A book's Typst source, in its equations every number apart from its unit: `"19.3 m"` as `19.3 thin"m"`."""
+    def number(text):
+        return text if text.isdecimal() or "." in text else f'"{text}"'
+
+    def apart(quantity):
+        digits, unit, degree = quantity.groups()
+        return number(digits) + (f' thin"{unit}"' if unit else f'"{degree}"' if degree else "")
+
+    def equation(found):
+        return re.sub(r'"(\d[\d.,]*)(?:\u2006([^"]+)|(°[^"]*))?"', apart, found[0])
+
+    return re.sub(r"\$[^$]+\$", equation, path.read_text(encoding="utf-8"))
 
 
 def words(language):

@@ -10,7 +10,7 @@ from fmpy import read_model_description, simulate_fmu
 from fmpy.validation import validate_fmu
 from scipy.integrate import solve_ivp
 
-from conftest import ROOT, lemnis, words
+from conftest import ROOT, lemnis, typst, words
 
 ENDS = {"FMI 2": ".fmi2.fmu", "FMI 3": ".fmu"}
 SCENE = ROOT / "models/scenes/container_in_wind.toml"
@@ -141,7 +141,7 @@ def test_a_crane_without_air_has_nothing_of_it(tmp_path):
 @pytest.mark.parametrize("language", ["en", "zh", "bg"])
 def test_the_book_tells_of_it(language, tmp_path):
     lemnis("book", SCENE, "--language", language, "--format", "typ", "--output", tmp_path)
-    book = (tmp_path / "ContainerInWind.typ").read_text(encoding="utf-8")
+    book = typst(tmp_path / "ContainerInWind.typ")
     known = words(language)
     for group, word in (("input", "air"), ("section", "motion_air"), ("purpose", "motion_air")):
         assert known[group][word] in book, (group, word)

@@ -15,7 +15,7 @@ import pytest
 from fmpy.fmi1 import FMICallException
 from fmpy.validation import validate_fmu
 
-from conftest import ROOT, lemnis
+from conftest import ROOT, lemnis, typst
 from test_fmpy import Slave
 
 ORACLE = json.loads((ROOT / "tests/oracles/balancing_four_bar_004.json").read_text(encoding="utf-8"))
@@ -250,7 +250,7 @@ def test_the_residual_of_95_percent_beside_its_requirement(tmp_path):
     builds lies for a share that is off by at most four standard deviations of a share of 2000."""
     lemnis("book", ROOT / "models/scenes/portal_004_synthesis.toml", "--format", "typ", "--output", tmp_path)
     [path] = tmp_path.glob("*.typ")
-    text = path.read_text(encoding="utf-8")
+    text = typst(path)
     [row] = [line for line in text.split("\n") if "abs(Delta M)_max = " in line and "abs(Delta M)_95 = " in line]
     printed = lambda symbol, text: 1e3 * float(re.search(rf'\$abs\(Delta M\)_{symbol} = ([\d.]+) thin"kN·m"\$', text)[1])
     assert printed("max", row) == pytest.approx(greatest_residual(Crane("existing")), rel=5e-4)

@@ -10,7 +10,7 @@ import numpy
 import pytest
 import tomllib
 
-from conftest import ROOT, lemnis
+from conftest import ROOT, lemnis, typst
 
 SCENES = sorted(path.stem for path in (ROOT / "models/scenes").glob("*.toml"))
 # What a formula has beside symbols.
@@ -24,7 +24,7 @@ def source(scene, level, folder):
     folder.mkdir(exist_ok=True)
     lemnis("book", ROOT / f"models/scenes/{scene}.toml", "--level", level, "--format", "typ", "--output", folder)
     [path] = folder.glob("*.typ")
-    text = path.read_text(encoding="utf-8").split("#let column-head")[1]
+    text = typst(path).split("#let column-head")[1]
     return re.sub(r'(?s)#say\("(?:[^"\\]|\\.)*"\)\[(\$.*?\$)\];', r"\1", text)
 
 

@@ -12,7 +12,7 @@ import re
 
 import pytest
 
-from conftest import ROOT, lemnis
+from conftest import ROOT, lemnis, typst
 from intervals import FUNCTIONS, Interval
 
 UNITS = {
@@ -94,7 +94,7 @@ def recalculated(source):
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_every_formula_gives_its_result(language, tmp_path, capsys):
     lemnis("book", "--level", "full", "--language", language, "--format", "typ", "--output", tmp_path)
-    source = (tmp_path / "LemniscateCrane.typ").read_text(encoding="utf-8")
+    source = typst(tmp_path / "LemniscateCrane.typ")
     # A decimal comma stands in quotes.
     commas = re.findall(r'"\d+,\d+"', source)
     assert (len(commas) > 100) == (language == "bg")
@@ -108,7 +108,7 @@ def test_every_formula_gives_its_result(language, tmp_path, capsys):
 def test_every_formula_of_the_ready_scenes_gives_its_result(scene, tmp_path, capsys):
     lemnis("book", ROOT / f"models/scenes/{scene}.toml", "--level", "full", "--format", "typ", "--output", tmp_path)
     [book] = tmp_path.glob("*.typ")
-    count, (formula, known) = recalculated(book.read_text(encoding="utf-8"))
+    count, (formula, known) = recalculated(typst(book))
     with capsys.disabled():
         print(f"\n  {scene}: {count} printed formulas recalculated; known to {known:.2%} at least: {formula.split()[0]}")
     assert count > 10
@@ -119,7 +119,7 @@ def test_the_account_of_energy_can_be_added_up(scene, tmp_path):
     """All terms have the same decimals, those that what is left over needs, and what is left over is what they leave."""
     lemnis("book", ROOT / f"models/scenes/{scene}.toml", "--format", "typ", "--output", tmp_path)
     [book] = tmp_path.glob("*.typ")
-    source = book.read_text(encoding="utf-8")
+    source = typst(book)
     # Without the words for screen readers.
     source = re.sub(r'#say\("[^"]*"\)\[(\$[^$]*\$)\];', r"\1", source)
     rows = re.findall(r'\n  \[\$([^$]+)\$\],((?: \[\$-?[\d.]+ thin"kJ"\$\],)+)', source)

@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from conftest import ROOT, lemnis
+from conftest import ROOT, lemnis, typst
 
 SCENES = sorted(path.stem for path in (ROOT / "models/scenes").glob("*.toml"))
 # Each would stand beside MPa, r/min or kN.
@@ -16,7 +16,7 @@ OTHERS = {"bar", "kPa", "N/mm²", "1/min", "rpm", "kgf", "Hz"}
 def test_a_book_has_one_system_of_units_and_one_free_fall(name, language, tmp_path):
     lemnis("book", ROOT / f"models/scenes/{name}.toml", "--format", "typ", "--language", language, "--output", tmp_path)
     [path] = tmp_path.glob("*.typ")
-    source = path.read_text(encoding="utf-8").split("#let column-head")[1]
+    source = typst(path).split("#let column-head")[1]
     units = set(re.findall(r'thin ?"([^"]+)"', source))
     # With the heads of columns and the units of the notation.
     units |= set(re.findall(r"(?:\]\[|, \[)([^\[\]\s]{1,12})\]", source))

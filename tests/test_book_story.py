@@ -7,7 +7,7 @@ import re
 import pypdf
 import pytest
 
-from conftest import ROOT, lemnis, words
+from conftest import ROOT, lemnis, typst, words
 from test_book import DEFAULT, LANGUAGES, scene, text_of
 
 SCENES = sorted(path.stem for path in (ROOT / "models/scenes").glob("*.toml"))
@@ -103,7 +103,7 @@ def test_nothing_that_weighs_nothing_is_told(tmp_path):
     assert "Luffing moment of the load" not in results.split(" Remarks ")[0] and "Calculation of the balance of a plain boom" in text
     assert "Positionofthegreatestresidualmomentabouttheboom’sfoot:𝜃1=50.5°" in text.replace(" ", "")
     lemnis("book", ROOT / "models/scenes/ports_001.toml", "--format", "typ", "--output", tmp_path)
-    source = (tmp_path / "PortsLever.typ").read_text(encoding="utf-8")
+    source = typst(tmp_path / "PortsLever.typ")
     drawing = next(line for line in source.splitlines() if line.strip().startswith("drawn(1,"))
     labels = set(re.findall(r'\\"text\\":\\"([^"\\]+)', drawing))
     assert labels == {"O_1", "B", "theta_1", "X_1"}

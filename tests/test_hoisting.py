@@ -7,7 +7,7 @@ import pytest
 from fmpy import read_model_description, simulate_fmu
 from fmpy.validation import validate_fmu
 
-from conftest import ROOT, lemnis
+from conftest import ROOT, lemnis, typst
 from test_fmpy import Slave
 from test_levels import SIZES, inside_and_outside, off, scene, signals
 
@@ -103,7 +103,7 @@ def test_the_book_s_hoisting_and_stop_is_that_of_the_fmu(tmp_path):
     path = ROOT / "models/scenes/portal_crane.toml"
     lemnis("fmu", path, "--output", tmp_path)
     lemnis("book", path, "--format", "typ", "--output", tmp_path)
-    source = (tmp_path / "PortalCraneWhole.typ").read_text(encoding="utf-8")
+    source = typst(tmp_path / "PortalCraneWhole.typ")
     *_, start = re.findall(r"theta_1 = ([\d.]+)", source.split("[*Hoisting and stop*")[0])
     [row] = re.findall(r'(?s)\[\$S_R\$\];\], \[Least\](.*?)\[#say\("phi R"\)', source)
     forces = [float(force) for force in re.findall(r'\[\$([\d.]+) thin"kN"\$', row)]
@@ -130,7 +130,7 @@ def test_the_book_lifts_with_a_motor(tmp_path):
     assert count == 1
     (tmp_path / "crane.toml").write_text(text, encoding="utf-8")
     lemnis("book", tmp_path / "crane.toml", "--format", "typ", "--output", tmp_path)
-    source = (tmp_path / "PortalCraneWhole.typ").read_text(encoding="utf-8")
+    source = typst(tmp_path / "PortalCraneWhole.typ")
     [row] = re.findall(r'(?s)\[\$S_R\$\];\], \[Least\](.*?)\[#say\("phi R"\)', source)
     forces = np.array([float(force) for force in re.findall(r'\[\$([\d.]+) thin"kN"\$', row)]).reshape(2, 6)
     part = 100 * (18 / 4 / 4 / 4) / 9.81
@@ -151,7 +151,7 @@ def test_the_book_tells_of_a_drum_that_turns(language, tmp_path):
     (tmp_path / "crane.toml").write_text(text, encoding="utf-8")
     options = ["--level", "full", "--language", language, "--format", "typ"]
     lemnis("book", tmp_path / "crane.toml", *options, "--output", tmp_path)
-    source = (tmp_path / "PortalCraneWhole.typ").read_text(encoding="utf-8")
+    source = typst(tmp_path / "PortalCraneWhole.typ")
     number = r'(-?"?\d+[.,]\d+"?)'
     [(*amounts, power)] = re.findall(
         rf'dot\(v\)_R &=.*\n.*frac\({number} thin"kN" - 4 slash \(250 thin"mm"\) dot \({number} thin"kN·m".*, 16 thin"t"\)\n'
@@ -246,7 +246,7 @@ def test_the_book_s_manoeuvres_are_those_of_the_fmu(place, name, tmp_path):
     path = ROOT / "models/scenes/portal_crane.toml"
     lemnis("fmu", path, "--output", tmp_path)
     lemnis("book", path, "--format", "typ", "--output", tmp_path)
-    source = (tmp_path / "PortalCraneWhole.typ").read_text(encoding="utf-8")
+    source = typst(tmp_path / "PortalCraneWhole.typ")
     # 2 % of the range from 44 to 82 degrees are left at each end.
     low, high = np.radians([44.76, 81.24])
     start = high if name == "Luffing out" else low

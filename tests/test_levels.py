@@ -15,7 +15,7 @@ from fmpy.fmi2 import FMU2Model
 from fmpy.fmi3 import FMU3Model
 from fmpy.validation import validate_fmu
 
-from conftest import ROOT, lemnis
+from conftest import ROOT, lemnis, typst
 from test_fmpy import Slave
 
 DYNAMICS = "\n" + (ROOT / "tests/levels/dynamics.toml").read_text(encoding="utf-8")
@@ -247,11 +247,11 @@ def test_oil_below_vacuum_is_told_everywhere(tmp_path, monkeypatch):
         with zipfile.ZipFile(path) as archive:
             assert "absolute vacuum, cavitates" in archive.read("documentation/index.html").decode("utf-8")
     lemnis("book", "--format", "typ", tmp_path / "crane.toml", "--output", tmp_path)
-    book = (tmp_path / "Crane_hydraulic.typ").read_text(encoding="utf-8")
+    book = typst(tmp_path / "Crane_hydraulic.typ")
     assert re.search(r"\*Warning:\* In the manoeuvre “.*” the pressure of the oil falls to", book)
     lemnis("book", "--format", "typ", "--output", tmp_path)
     # Without oil only a limit that the digits of the publication do not settle is warned of.
-    warned = re.findall(r"\*Warning:\* ([^,]*)", (tmp_path / "LemniscateCrane.typ").read_text(encoding="utf-8"))
+    warned = re.findall(r"\*Warning:\* ([^,]*)", typst(tmp_path / "LemniscateCrane.typ"))
     assert warned == ["#quantity keeps to its limit"]
 
 

@@ -8,7 +8,7 @@ import pytest
 from fmpy import extract, instantiate_fmu, read_model_description, simulate_fmu
 from fmpy.validation import validate_fmu
 
-from conftest import ROOT, lemnis, words
+from conftest import ROOT, lemnis, typst, words
 
 ENDS = {"FMI 2": ".fmi2.fmu", "FMI 3": ".fmu"}
 SCENE = ROOT / "models/scenes/mobile_crane.toml"
@@ -82,7 +82,7 @@ def test_the_chart_in_both_ways(fmus, chart):
 @pytest.mark.parametrize("language", ["en", "zh", "bg"])
 def test_the_book_has_the_chart(language, chart, tmp_path):
     lemnis("book", SCENE, "--language", language, "--format", "typ", "--output", tmp_path)
-    book = (tmp_path / "MobileCrane.typ").read_text(encoding="utf-8")
+    book = typst(tmp_path / "MobileCrane.typ")
     known = words(language)
     at = book.index(f'= 8 {known["chapter"]["charts"]}')
     here = book[at:]

@@ -8,7 +8,7 @@ import subprocess
 
 import pytest
 
-from conftest import LEMNIS, ROOT, lemnis
+from conftest import LEMNIS, ROOT, lemnis, typst
 
 # Their levers do not keep to what their synthesis asks for.
 FAILING = ("portal_004_four", "portal_004_synthesis")
@@ -57,5 +57,5 @@ def test_numbers_for_programs_have_no_negative_zero(path):
 @pytest.mark.parametrize("path", READY, ids=lambda path: path.stem)
 def test_books_have_no_negative_zero(path, tmp_path):
     lemnis("book", path, "--format", "typ", "--level", "full", "--output", tmp_path)
-    source = next(tmp_path.glob("*.typ")).read_text(encoding="utf-8")
+    source = typst(next(tmp_path.glob("*.typ")))
     assert not re.search(r"[-−]0(?![\d.,])", source)

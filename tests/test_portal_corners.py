@@ -7,7 +7,7 @@ import pytest
 from fmpy import read_model_description, simulate_fmu
 from fmpy.validation import validate_fmu
 
-from conftest import ROOT, lemnis, words
+from conftest import ROOT, lemnis, typst, words
 
 ENDS = {"FMI 2": ".fmi2.fmu", "FMI 3": ".fmu"}
 SCENE = ROOT / "models/scenes/portal_corner_loads.toml"
@@ -86,7 +86,7 @@ def test_a_leg_lifts_at_an_event(fmus, standard):
 @pytest.mark.parametrize("language", ["en", "zh", "bg"])
 def test_the_book_has_both_portals(language, tmp_path):
     lemnis("book", SCENE, "--language", language, "--format", "typ", "--output", tmp_path)
-    book = (tmp_path / "PortalCornerLoads.typ").read_text(encoding="utf-8")
+    book = typst(tmp_path / "PortalCornerLoads.typ")
     known = words(language)
     for section in ("portal_circle", "portal_four", "portal_rigid", "portal_hinged", "portal_tipping"):
         assert known["section"][section] in book, section

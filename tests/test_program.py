@@ -13,7 +13,7 @@ import zipfile
 import pytest
 from fmpy import simulate_fmu
 
-from conftest import LEMNIS, ROOT, lemnis
+from conftest import LEMNIS, ROOT, lemnis, typst
 
 SCENES = sorted((ROOT / "models/scenes").glob("*.toml"))
 DEFAULT = (ROOT / "models/scenes/lemniscate.toml").read_text(encoding="utf-8")
@@ -135,7 +135,7 @@ def test_a_table_of_motion_agrees_with_its_summary_and_its_book(tmp_path):
     summary = json.loads(lemnis("check", path, "--json"))["summary"]["V_AX_max"]["value"]
     assert max(column, key=abs) == pytest.approx(summary, rel=1e-9)
     lemnis("book", path, "--format", "typ", "--level", "full", "--output", tmp_path)
-    book = (tmp_path / "PortalCraneMotion.typ").read_text(encoding="utf-8")
+    book = typst(tmp_path / "PortalCraneMotion.typ")
     row = next(line for line in book.splitlines() if line.strip().startswith("[44],"))
     assert f"{column[0]:.4f}".replace("-", "−") in row
     assert "passed at omega_1 = 0.5 deg/s" in lemnis("check", path)

@@ -7,7 +7,7 @@ import pytest
 from fmpy import read_model_description, simulate_fmu
 from fmpy.validation import validate_fmu
 
-from conftest import ROOT, lemnis, words
+from conftest import ROOT, lemnis, typst, words
 
 ENDS = {"FMI 2": ".fmi2.fmu", "FMI 3": ".fmu"}
 SCENE = ROOT / "models/scenes/slewing_portal.toml"
@@ -80,7 +80,7 @@ def test_a_drive_that_slews_and_a_reach_that_changes(fmus, standard, kind):
 @pytest.mark.parametrize("language", ["en", "zh", "bg"])
 def test_the_book_has_all_of_it(language, tmp_path):
     lemnis("book", SCENE, "--language", language, "--format", "typ", "--output", tmp_path)
-    book = (tmp_path / "SlewingPortal.typ").read_text(encoding="utf-8")
+    book = typst(tmp_path / "SlewingPortal.typ")
     known = words(language)
     for section in ("works", "mesh", "steady", "moments", "motor", "hold", "stop", "teeth"):
         assert known["section"][f"turning_{section}"] in book, section
@@ -95,5 +95,5 @@ def test_a_curve_is_broken_where_a_brake_never_stops(tmp_path):
     assert "turning_hold" in lemnis("check", tmp_path / "crane.toml", expect=4)
     lemnis("book", tmp_path / "crane.toml", "--output", tmp_path)
     lemnis("book", tmp_path / "crane.toml", "--format", "typ", "--output", tmp_path)
-    source = next(tmp_path.glob("*.typ")).read_text(encoding="utf-8")
+    source = typst(next(tmp_path.glob("*.typ")))
     assert words("en")["curve"]["turning_stop"] in source

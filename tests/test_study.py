@@ -15,7 +15,7 @@ from statistics import NormalDist
 
 import numpy as np
 import pytest
-from conftest import LEMNIS, ROOT, lemnis
+from conftest import LEMNIS, ROOT, lemnis, typst
 from mpmath import mp
 from scipy.stats import qmc
 
@@ -311,7 +311,7 @@ def test_the_chapter_tells_what_the_command_tells(tmp_path):
     path.write_text(crane(256), encoding="utf-8")
     told = json.loads(lemnis("sweep", path, "--json"))
     lemnis("book", path, "--format", "typ", "--output", tmp_path)
-    source = (tmp_path / "PortalCraneStudy.typ").read_text(encoding="utf-8")
+    source = typst(tmp_path / "PortalCraneStudy.typ")
     chapter = source[source.index("Spread over many designs") :]
     assert "let count = [256]" in chapter
     [moment, angle, force, _] = told["outputs"]

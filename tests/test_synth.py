@@ -9,7 +9,7 @@ import time
 import tomllib
 
 import pytest
-from conftest import LEMNIS, ROOT, lemnis
+from conftest import LEMNIS, ROOT, lemnis, typst
 
 SCENES = ROOT / "models/scenes"
 OPTIMUM = (SCENES / "portal_004_synthesis.toml").read_text(encoding="utf-8")
@@ -145,7 +145,7 @@ def test_ctrl_c_keeps_the_best_so_far(tmp_path):
     assert synthesis["found"] == "broken off"
     assert criteria(path)["gamma_min"] * 57.29577951308232 >= 34.5
     lemnis("book", path, "--format", "typ", "--output", tmp_path / "book")
-    assert "broken off" in (tmp_path / "book" / f"{path.stem}.typ").read_text(encoding="utf-8")
+    assert "broken off" in typst(tmp_path / "book" / f"{path.stem}.typ")
 
 
 def test_nothing_is_written_on_failure(tmp_path):
@@ -162,7 +162,7 @@ def test_the_chapter_computes_anew(tmp_path, language, decimal):
     given = (SCENES / "portal_004_tail.toml").read_text(encoding="utf-8")
     path.write_text(given + "\n[book]\ndigits = 6\n", encoding="utf-8")
     lemnis("book", path, "--language", language, "--format", "typ", "--output", tmp_path)
-    text = (tmp_path / "PortalCraneTail.typ").read_text(encoding="utf-8")
+    text = typst(tmp_path / "PortalCraneTail.typ")
     result = criteria(path)
     for name, unit in [("dM_max", 1e3), ("N_max", 1e3)]:
         number = f"{result[name] / unit:.6g}".replace(".", decimal)

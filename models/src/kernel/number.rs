@@ -103,10 +103,14 @@ impl Number {
 }
 
 /// In scientific notation: exact where so many digits are enough for that, otherwise with so many significant ones.
-fn brief(amount: f64, exact: usize, significant: usize) -> String {
-    let found = (0..exact.min(MOST))
-        .map(|decimals| format!("{amount:.decimals$e}"))
-        .find(|text| is_exact(text, amount));
+fn brief(amount: f64, exact_digits: usize, significant: usize) -> String {
+    let text = |decimals: usize| format!("{amount:.decimals$e}");
+    let exact = |text: &String| is_exact(text, amount);
+    // What all of the digits do not say, fewer do not.
+    let finest = exact_digits.min(MOST).checked_sub(1);
+    let found = finest
+        .filter(|&finest| exact(&text(finest)))
+        .and_then(|finest| (0..=finest).map(text).find(exact));
     found.unwrap_or_else(|| format!("{amount:.*e}", significant.clamp(1, MOST) - 1))
 }
 

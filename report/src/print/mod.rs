@@ -10,6 +10,7 @@ pub mod picture;
 pub mod plot;
 pub mod precision;
 pub(crate) mod prose;
+mod quantity;
 pub mod script;
 pub(crate) mod speech;
 pub mod spread;

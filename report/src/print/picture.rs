@@ -19,7 +19,7 @@ pub struct Picture {
 #[derive(Debug, Serialize)]
 #[serde(tag = "kind", rename_all = "lowercase")]
 pub(super) enum Item {
-    /// One path, or several open ones of the same style.
+    /// Paths of the same style, all closed or all open.
     Line {
         paths: Vec<Vec<Point>>,
         closed: bool,
@@ -64,13 +64,16 @@ impl Picture {
     }
 
     pub(super) fn shape(&mut self, style: &'static str, points: &[Point], closed: bool) {
-        let path = points.iter().map(|point| point.map(hundredths)).collect();
+        let mut path = Vec::new();
+        path.extend(points.first());
+        bends(points, &mut path);
+        let path = path.into_iter().map(|point| point.map(hundredths)).collect();
         match self.items.last_mut() {
             Some(Item::Line {
                 paths,
-                closed: false,
+                closed: before,
                 style: last,
-            }) if !closed && *last == style => paths.push(path),
+            }) if *before == closed && *last == style => paths.push(path),
             _ => self.items.push(Item::Line {
                 paths: vec![path],
                 closed,
@@ -115,6 +118,32 @@ impl Picture {
         let [x, y] = unit(from, tip);
         let corner = |side: f64| [tip[0] - 2.4 * x - 0.45 * side * y, tip[1] - 2.4 * y + 0.45 * side * x];
         self.shape("solid", &[tip, corner(1.0), corner(-1.0)], true);
+    }
+}
+
+/// How far a line may run from the points that it is drawn through, in mm: a fifth of the thinnest stroke.
+const FLAT: f64 = 0.02;
+
+/// Those of the points behind the first one through which a line must be drawn to stay within [`FLAT`] of all: the last
+/// one, and where it is too far from a straight line the one farthest from it, so on both sides of that
+/// [Douglas and Peucker 1973].
+fn bends(points: &[Point], kept: &mut Vec<Point>) {
+    let (&[from, .., to], true) = (points, points.len() > 1) else {
+        return;
+    };
+    let [x, y] = unit(from, to);
+    let off = |[px, py]: Point| {
+        let [dx, dy] = [px - from[0], py - from[1]];
+        let along = (dx * x + dy * y).clamp(0.0, length([to[0] - from[0], to[1] - from[1]]));
+        length([dx - along * x, dy - along * y])
+    };
+    let far = points.iter().map(|&point| off(point)).enumerate();
+    match far.max_by(|a, b| a.1.total_cmp(&b.1)) {
+        Some((i, far)) if far > FLAT => {
+            bends(&points[..=i], kept);
+            bends(&points[i..], kept);
+        }
+        _ => kept.push(to),
     }
 }
 

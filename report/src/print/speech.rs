@@ -5,9 +5,10 @@
 use typst_syntax::{SyntaxKind, SyntaxNode, parse};
 
 use crate::language::Words;
+use crate::print::quantity::in_one;
 use crate::print::text::string;
 
-/// The source with words at every equation.
+/// The source with words at every equation, and quantities there as texts.
 ///
 /// # Errors
 /// A letter or an operation that the language has no words for.
@@ -24,7 +25,7 @@ fn rewrite(node: &SyntaxNode, in_markup: bool, words: &Words, text: &mut String)
             .map(|child| sequence(child, words))
             .collect::<Result<_, _>>()?;
         let spoken = string(spoken.concat().trim());
-        let equation = node.full_text();
+        let equation = in_one(node);
         let (hash, end) = if in_markup { ("#", ";") } else { ("", "") };
         *text += &format!("{hash}say({spoken})[{equation}]{end}");
         return Ok(());
@@ -263,6 +264,8 @@ fn fill(pattern: &str, parts: &[String]) -> String {
 
 #[cfg(test)]
 mod tests {
+    use typst_syntax::parse_math;
+
     use super::*;
     use crate::language::LANGUAGES;
 
@@ -302,7 +305,8 @@ mod tests {
             (r#"x = 2 plus.minus 1 "m""#, "x equals 2 plus or minus 1 m"),
         ] {
             let source = accessible(&format!("${equation}$"), &words).expect("words");
-            assert_eq!(source, format!("#say({})[${equation}$];", string(spoken)));
+            let printed = in_one(&parse_math(equation));
+            assert_eq!(source, format!("#say({})[${printed}$];", string(spoken)));
         }
     }
 
