@@ -14,9 +14,11 @@ from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from statistics import NormalDist
 
 import numpy as np
+import pyarrow
 import pytest
 from conftest import LEMNIS, ROOT, lemnis, typst
 from mpmath import mp
+from pyarrow import parquet
 from scipy.stats import qmc
 
 import lemnis as package
@@ -301,8 +303,26 @@ def test_arrow_reads_a_study(scene):
     study = scene.monte_carlo(8)
     stream = nanoarrow.ArrayStream(study)
     fields = list(stream.schema.fields)
-    assert [field.name for field in fields] == list(study)
-    assert {field.metadata[b"unit"] for field in fields} == {b"m", b"rad", b"N", b"N.m"}
+    assert [field.name for field in fields] == [*study, "fails", "refused"]
+    assert {field.metadata[b"unit"] for field in fields[:-2]} == {b"m", b"rad", b"N", b"N.m"}
+
+
+def test_parquet_has_what_the_csv_has(tmp_path):
+    """Written and read by pyarrow: every bit, what fails, what is refused and why, and the units."""
+    text = crane().replace('"normal ± 3 mm"', '"± 40 %"')
+    (tmp_path / "crane.toml").write_text(text, encoding="utf-8")
+    lemnis("sweep", tmp_path / "crane.toml", "--csv", tmp_path / "rows.csv")
+    study = package.Scene(text).sweep()
+    parquet.write_table(pyarrow.table(study), tmp_path / "rows.parquet")
+    table = parquet.read_table(tmp_path / "rows.parquet")
+    units = [f" [{(field.metadata or {}).get(b'unit', b'').decode()}]".replace(" []", "") for field in table.schema]
+    with (tmp_path / "rows.csv").open(encoding="utf-8", newline="") as file:
+        heads, *rows = csv.reader(file)
+    assert heads == ["design", *(field.name + unit for field, unit in zip(table.schema, units))]
+    columns = [table[name].to_pylist() for name in study]
+    assert [[float(cell or "nan").hex() for cell in row[1:-2]] for row in rows] == [[v.hex() for v in row] for row in zip(*columns)]
+    texts = [[text or "" for text in table[name].to_pylist()] for name in ("fails", "refused")]
+    assert [row[-2:] for row in rows] == [list(row) for row in zip(*texts)] and all(map(any, texts))
 
 
 def test_the_chapter_tells_what_the_command_tells(tmp_path):

@@ -42,7 +42,8 @@ class Study(Table):
     """The rows of a study, one for each design: columns of what varies, then of what is looked at, in SI.
 
     A design that cannot be is a row with NaN in its results; `faults` says why, by its number. `fails` has for each
-    requirement of the scene, by its id, the rows that fail it; what is refused is not judged and fails nothing.
+    requirement of the scene, by its id, the rows that fail it; what is refused is not judged and fails nothing. What reads
+    Arrow has both as columns of texts, `fails` and `refused`.
     """
 
     def __init__(
@@ -54,6 +55,12 @@ class Study(Table):
     ) -> None:
         super().__init__(columns, variables, faults)
         self.fails = dict(fails)
+
+    def _texts(self) -> list[tuple[str, list[str | None]]]:
+        """What each design fails, and why it is refused, as `lemnis sweep --csv` writes it."""
+        rows = range(self.shape[0])
+        failed = [[name for name, fails in self.fails.items() if fails[row]] for row in rows]
+        return [("fails", ["; ".join(names) or None for names in failed]), ("refused", [self.faults.get(row) for row in rows])]
 
 
 class Studies:

@@ -88,7 +88,11 @@ class Table(Mapping[str, Column]):
             (name, {"unit": variable.unit, "symbol": variable.symbol, "text": variable.text})
             for name, variable in self.variables.items()
         ]
-        return _lemnis.stream(fields, [column.reshape(-1) for column in self._columns.values()])
+        return _lemnis.stream(fields, [column.reshape(-1) for column in self._columns.values()], self._texts())
+
+    def _texts(self) -> list[tuple[str, list[str | None]]]:
+        """Columns of texts, which only Arrow has."""
+        return []
 
     def __repr__(self) -> str:
         return f"<lemnis.Table {self.shape}: {', '.join(self._columns)}>"
