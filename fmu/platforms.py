@@ -13,6 +13,7 @@ bcryptprimitives.dll and was given one. Not run: real Windows, real aarch64.
 """
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -27,6 +28,11 @@ PLATFORMS = {
 }
 # A target of Rust that is not there and cannot be fetched.
 NO_TARGET = 3
+
+
+def glibc(library):
+    """The versions of glibc that a library or a program, given as bytes, asks for."""
+    return {tuple(map(int, version)) for version in re.findall(rb"GLIBC_(\d+)\.(\d+)", library)}
 
 
 def build(platform, folder):

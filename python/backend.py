@@ -24,19 +24,23 @@ RELEASE = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "release"
 LIBRARY = {"win32": "{}.dll", "darwin": "lib{}.dylib"}.get(sys.platform, "lib{}.so")
 
 
-def program():
-    """Puts the program and the FMU's library into the package."""
+def made(release=RELEASE):
+    """The program and the FMU's library, where Cargo puts them: it keeps the copies in deps/ up to date whatever is built."""
+    return release / ("lemnis.exe" if os.name == "nt" else "lemnis"), release / "deps" / LIBRARY.format("lemnis_fmu")
+
+
+def program(*files):
+    """Puts the program, the FMU's library and what else is given into the package."""
     folder = PACKAGE / "_program"
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir()
-    # Cargo keeps the copies in deps/ up to date whatever is built.
-    for path in (RELEASE / ("lemnis.exe" if os.name == "nt" else "lemnis"), RELEASE / "deps" / LIBRARY.format("lemnis_fmu")):
+    for path in files:
         shutil.copy2(path, folder)
 
 
 def in_place():
     """The package where it lies, complete."""
-    program()
+    program(*made())
     module = PACKAGE / ("_lemnis.pyd" if os.name == "nt" else "_lemnis.abi3.so")
     # A module that another process has loaded stays as it is for that one.
     module.unlink(missing_ok=True)
@@ -46,7 +50,7 @@ def in_place():
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     subprocess.run(["cargo", "build", "--release", "--workspace", "--bin", "lemnis"], cwd=ROOT, check=True)
-    program()
+    program(*made())
     return maturin.build_wheel(wheel_directory, config_settings, metadata_directory)
 
 
