@@ -38,8 +38,6 @@ PORTABLE, MODULE = ROOT / "target/portable", ROOT / "target/module"
 # Packages in the versions that the tests and the package's build have.
 PINNED = {line.split("==")[0]: line for line in (ROOT / "tests/requirements.txt").read_text(encoding="utf-8").splitlines()}
 MATURIN = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["build-system"]["requires"]
-# What lies beside the crates in the program: fonts, and scripts of the page.
-OTHERS = [ROOT / "report/typeset/fonts/OFL.txt", ROOT / "serve/page/dist/THIRD_PARTY.txt"]
 FIRST_REACH = "import sys, fmpy; print(fmpy.simulate_fmu(sys.argv[1], output=['R'], output_interval=1.0)['R'][0])"
 
 
@@ -82,9 +80,9 @@ def third_party(path):
     needs = {node["id"]: [need["pkg"] for need in node["deps"] if any(kind["kind"] is None for kind in need["dep_kinds"])]
              for node in metadata["resolve"]["nodes"]}
     used, found = set(), {package["id"] for package in metadata["packages"] if package["name"] in ("lemnis", "lemnis-python")}
-    while found := found - used:
+    while found:
         used |= found
-        found = {need for one in found for need in needs[one]}
+        found = {need for one in found for need in needs[one]} - used
     listed, texts = ["Lemnis is made of these crates and of Rust's standard library (MIT OR Apache-2.0).\n"], {}
     for package in metadata["packages"]:
         if package["id"] not in used or package["source"] is None:
@@ -95,7 +93,8 @@ def third_party(path):
             if re.match(r"(un)?licen[cs]e|copying|copyright|notice", file.name, re.I) and file.suffix != ".rs" and file.is_file():
                 texts.setdefault(file.read_text(encoding="utf-8", errors="replace").strip(), {})[name] = None
     parts = [f"{', '.join(crates)}\n\n{text}" for text, crates in texts.items()]
-    parts += [file.read_text(encoding="utf-8").strip() for file in OTHERS]
+    for other in ("report/typeset/fonts/OFL.txt", "serve/page/dist/THIRD_PARTY.txt"):
+        parts.append((ROOT / other).read_text(encoding="utf-8").strip())
     path.write_text(f"\n\n{'-' * 80}\n".join(["\n".join(listed), *parts]) + "\n", encoding="utf-8")
     return path
 
@@ -165,8 +164,12 @@ def join(folders, dist):
     """Puts what several machines have made into one folder. Of a library that several have made, its own platform's is taken."""
     together = {}
     for folder in map(Path, folders):
-        whole = [path for path in folder.glob(f"lemnis-{VERSION}-*") if shutil.copy2(path, dist)]
-        own = next(path.name.split("-", 2)[2].split(".")[0] for path in whole if path.suffix != ".whl")
+        whole = [*folder.glob(f"lemnis-{VERSION}-*")]
+        own, *more = [path.name.split("-", 2)[2].split(".")[0] for path in whole if path.suffix != ".whl"] or [None]
+        if own is None or more:
+            sys.exit(f"{folder} has not one archive of lemnis {VERSION}: give each folder target/dist that a machine has made")
+        for path in whole:
+            shutil.copy2(path, dist)
         with zipfile.ZipFile(folder / "libraries.zip") as made:
             together |= {name: made.read(name) for name in made.namelist()
                          if name not in together or name.startswith(f"{own}/")}

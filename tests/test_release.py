@@ -89,6 +89,15 @@ def test_what_several_machines_made_is_joined(tmp_path):
     assert len((dist / "SHA256SUMS").read_text().splitlines()) == 2 * len(made) + 1
 
 
+@pytest.mark.parametrize("made", [[], ["lemnis-0.0.1-x86_64-linux.tar.gz"],
+                                  [f"lemnis-{release.VERSION}-{platform}.tar.gz" for platform in ("x86_64-linux", "aarch64-linux")]])
+def test_a_folder_that_no_machine_made_is_refused(made, tmp_path):
+    for name in made:
+        (tmp_path / name).write_bytes(b"")
+    with pytest.raises(SystemExit, match=r"has not one archive of lemnis \d"):
+        release.join([tmp_path], tmp_path / "dist")
+
+
 def checked(*command):
     return subprocess.run([Path(sys.executable).with_name(command[0]), *command[1:]], capture_output=True, text=True)
 
