@@ -155,6 +155,7 @@ fn inputs(moment: f64, brake: f64) -> Inputs {
         valve: 0.0,
         supply: 250e5,
         wind: [0.0; 2],
+        torn: [0.0; 2],
     }
 }
 

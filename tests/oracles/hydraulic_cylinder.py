@@ -42,8 +42,8 @@ def n(a):
     return np.array([-math.sin(a), math.cos(a)])
 
 
-def mechanism(theta):
-    """Inertia, its slope and the moment of the weights, all reduced to the boom; drive's length and arm."""
+def mechanism(theta, load=16e3):
+    """Inertia, its slope and the moment of the weights, with a load in kg, all reduced to the boom; drive's length and arm."""
     b = X1 * e(theta)
     line = b - O3
     d = math.hypot(*line)
@@ -76,7 +76,7 @@ def mechanism(theta):
     a1, a2 = turning(X4, be - BETA_0, be1, be2)
     ac = math.sqrt(X2**2 + X4**2 - 2 * X2 * X4 * math.cos(BETA_0))
     add(6e3, 6e3 * ac**2 / 12, b1 + (c1 + a1) / 2, b2 + (c2 + a2) / 2, be1, be2)
-    add(16e3, 0.0, b1 + a1, b2 + a2, 0.0, 0.0)
+    add(load, 0.0, b1 + a1, b2 + a2, 0.0, 0.0)
     anchor = S_D * e(theta + CHI_D)
     length = math.hypot(*(anchor - E))
     arm = (anchor - E) @ (S_D * n(theta + CHI_D)) / length

@@ -119,7 +119,7 @@ impl<C: Calc> Group<C> for One<C> {
 macro_rules! quantities {
     ($(#[$doc:meta])* $name:ident { $($field:ident: $symbol:ident),* }) => {
         $(#[$doc])*
-        #[derive(Clone, Copy, Debug)]
+        #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct $name<C> {
             $(pub $field: C),*
         }

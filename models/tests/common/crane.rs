@@ -179,6 +179,9 @@ pub fn cylinder() -> Cylinder {
             frequency: 300.0,
             damping: 0.7,
         },
+        anti_cavitation: None,
+        held: None,
+        pump: None,
     }
 }
 

@@ -12,11 +12,14 @@ use crate::luffing::resistances::outline::{EXTREMES, LIMITS, SUMMARY, USES};
 use crate::parts::turntable;
 
 /// What given quantities of its own are for that no formula has.
-const OWN_USES: [Purpose; 6] = [
+const OWN_USES: [Purpose; 9] = [
     ("annulus", &[&d::D_R]),
     ("start", &[&m::L_R, &m::PHI_R, &turntable::CHI_R]),
     ("hoist", &[&m::V_H, &m::A_H]),
     ("relief", listed!(m: P_R, K_R)),
+    ("anti_cavitation", listed!(m: P_AC, K_AC)),
+    ("load_holding", listed!(m: P_LH, I_LH, DP_LH)),
+    ("pump_limits", listed!(m: Q_PMAX, P_PMAX)),
     ("friction", listed!(turntable: C_SL, M_F_SL)),
     ("stops", listed!(turntable: PSI_MIN, PSI_MAX)),
 ];
@@ -99,7 +102,7 @@ pub const OUTLINE: Outline = Outline {
         ],
         LIMITS,
     ),
-    uses: &joined::<Purpose, 6, 2, 8>(OWN_USES, USES),
+    uses: &joined::<Purpose, 9, 2, 11>(OWN_USES, USES),
     forces: &[
         &s::F_O1X,
         &s::F_O1Y,

@@ -138,6 +138,7 @@ impl Described for LuffingScene {
             around: None,
             turning: None,
             oil: None,
+            oil_parts: None,
             wound: None,
             past: None,
             fitted: Fitted::default(),
@@ -330,6 +331,7 @@ impl Described for LuffingScene {
                 .collect();
         };
         let (oil, rope, slews) = (moving.oil.is_some(), moving.rope.is_some(), moving.slewing.is_some());
+        let parts = moving.oil_parts;
         [
             Some(match (oil, rope) {
                 (true, _) => "level_hydraulic",
@@ -347,6 +349,12 @@ impl Described for LuffingScene {
             [
                 given(slews, "slewing"),
                 given(oil, "oil"),
+                given(
+                    parts.is_some_and(|parts| parts.anti_cavitation.is_some()),
+                    "anti_cavitation",
+                ),
+                given(parts.is_some_and(|parts| parts.load_holding.is_some()), "load_holding"),
+                given(parts.is_some_and(|parts| parts.pump.is_some()), "pump_limits"),
                 Some(if oil { "creep" } else { "sticking" }),
                 Some(if oil { "buffer" } else { "stops" }),
                 Some("forces_in_motion"),

@@ -45,7 +45,9 @@ use crate::luffing::moving::level::{CraneAt, Level};
 use crate::luffing::moving::listed::{Fittings, Said};
 use crate::luffing::moving::luffs::{Luffs, luffs};
 use crate::luffing::moving::reduced::Renewed;
-use crate::luffing::moving::stages::{self, CraneEvents, CraneMoves, CraneOil, CraneRates, INDICATORS, LoadSeen};
+use crate::luffing::moving::stages::{
+    self, CraneEvents, CraneMoves, CraneOil, CraneRates, INDICATORS, LoadSeen, OilFlows,
+};
 use crate::luffing::resistances::brakes::{Holding, Stopped};
 use crate::luffing::resistances::friction::{Pins, Rubbed};
 use crate::luffing::resistances::given::{
@@ -67,6 +69,7 @@ use crate::luffing::strength::teeth::{Mesh, Toothed};
 use crate::luffing::with_balance::WithBalance;
 use crate::parts::air::AirAround;
 use crate::parts::four_bar::FourBar;
+use crate::parts::hydraulics::parts::OilParts;
 use crate::parts::motion::{Motion, degrees};
 use crate::parts::plane::Point;
 use crate::parts::turntable::Turning;
@@ -95,6 +98,7 @@ stages! {
         Parameter around: Option<AirAround<C>>,
         Parameter turning: Option<Turning<C>>,
         Parameter oil: Option<CylinderOil<C>>,
+        Parameter oil_parts: Option<OilParts<C>>,
         Memory wound: Option<One<C>>,
         Memory past: Option<Modes>,
         Load load: Option<One<C>>,
@@ -177,7 +181,7 @@ stages! {
         sheared[each cases]: Vec<Sheared<C>> = Sheared::new(sizes[!], chosen[!], pinned[each]);
         parameters: Parameters<C> = parameters(lengths, jib, weights, mount, cylinder, balance, choice) => _;
         parts[constants]: Vec<CraneParts<C>> = motion::parts(
-            parameters, load[!], inertias[!], constants[!], ramp, motor, give, around, turning, oil, fitted, choice
+            parameters, load[!], inertias[!], constants[!], ramp, motor, give, around, turning, oil, oil_parts, fitted, choice
         ) => _;
         linkage[constants]: Vec<Renewed<HeavyLinkage<C>>> = motion::linkage(parts) => _;
         built[constants]: Vec<Level<C>> = motion::built(parts, linkage) => _;
@@ -197,11 +201,12 @@ stages! {
         resisting_slewing: C = stages::resisting_slewing(built, told, at, theta) => M_R_SL;
         seen: LoadSeen<C> = LoadSeen::new(at, fitted);
         cavitates: CraneOil = CraneOil::new(at, rates, oil[!]);
+        oil_flows: OilFlows<C> = OilFlows::new(built, told, at, oil_parts[!]);
         events: CraneEvents<C> = stages::events(built, told, at, theta, fitted);
     }
 }
 
-luffs!(DoubleLink by theta, omega with motor, turning, oil);
+luffs!(DoubleLink by theta, omega with motor, turning, oil, oil_parts);
 
 resists!(DoubleLink with resisting::PARTS);
 

@@ -38,10 +38,13 @@ pub struct Inputs<P = f64> {
     pub supply: P,
     /// Speed (m/s) and direction (rad) of the wind.
     pub wind: [P; 2],
+    /// Parts of the cylinder's lines that are torn open, in [0, 1].
+    pub torn: [P; 2],
 }
 
 /// Their symbols.
-pub const INPUTS: [&Symbol; 11] = *listed!(s: M_A, M_S, U_V, P_P, M_M_H, M_B_H, V_H, M_SL, M_B_SL, V_AIR, CHI_AIR);
+pub const INPUTS: [&Symbol; 13] =
+    *listed!(s: M_A, M_S, U_V, P_P, M_M_H, M_B_H, V_H, M_SL, M_B_SL, V_AIR, CHI_AIR, Y_B1, Y_B2);
 
 impl<P: Copy> Inputs<P> {
     /// Of a crane of J joints.
@@ -68,11 +71,27 @@ impl<P: Copy> Inputs<P> {
             slewing.brake,
             self.wind[0],
             self.wind[1],
+            self.torn[0],
+            self.torn[1],
         ]
     }
 
     fn from(
-        [m_a, m_s, valve, supply, m_h, m_b_h, speed, m_sl, m_b_sl, v_air, chi_air]: [P; INPUTS.len()],
+        [
+            m_a,
+            m_s,
+            valve,
+            supply,
+            m_h,
+            m_b_h,
+            speed,
+            m_sl,
+            m_b_sl,
+            v_air,
+            chi_air,
+            y_b1,
+            y_b2,
+        ]: [P; INPUTS.len()],
     ) -> Inputs<P> {
         let drive = |moment, brake| JointDrive { moment, brake };
         Inputs {
@@ -84,6 +103,7 @@ impl<P: Copy> Inputs<P> {
             valve,
             supply,
             wind: [v_air, chi_air],
+            torn: [y_b1, y_b2],
         }
     }
 }

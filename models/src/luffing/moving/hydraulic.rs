@@ -15,7 +15,7 @@ use crate::luffing::moving::shares::Shares;
 use crate::luffing::moving::space::{self, Slewing};
 use crate::luffing::moving::symbols as s;
 use crate::parts::hoist::{Drum, HoistCommand, HoistPowers, Winch};
-use crate::parts::hydraulics::cylinder::{Cylinder, Oil};
+use crate::parts::hydraulics::cylinder::{Cylinder, FLOW_MARGIN, Oil, PART_MARGINS, POWER_MARGIN};
 use crate::parts::joint::{Bar, Joint, JointDrive};
 use crate::parts::solver::rodas::{Run, Tolerance};
 use crate::parts::solver::{Gradient, Halt, MOST_IMPLICIT, MOST_KINKS, System};
@@ -180,6 +180,12 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
         }
     }
 
+    /// Of the cylinder's parts, as [`Cylinder::margins`].
+    #[inline]
+    pub fn part_margins<C: Over<P>>(&self, y: &[C; N]) -> [Option<C>; PART_MARGINS] {
+        self.cylinder.margins(&Self::oil(y), self.supply)
+    }
+
     pub fn dynamics(&self) -> &Dynamics<P> {
         either!(&self.crane, crane => &crane.dynamics)
     }
@@ -221,6 +227,16 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
         hangs.map_or(alone, |load| {
             all - usize::from(matches!(load.hoist.winch, Winch::AtOnce))
         })
+    }
+
+    /// Angles and rates, pressures, spool and its speed, load and rope; no more than there are. A spool that is known better
+    /// than its edges need would cost a quarter of all steps.
+    pub(super) fn tolerance(&self, relative: f64) -> Tolerance<N> {
+        let mut absolute = [f64::INFINITY; N];
+        absolute[..self.states()].fill(relative * 1e-3);
+        absolute[2..6].fill(relative * 1e6);
+        absolute[6..FIXED].copy_from_slice(&[relative * 0.1, relative * 30.0]);
+        Tolerance { relative, absolute }
     }
 
     /// Moment on the driven bar of cylinder, friction and stops, in N·m.
@@ -524,6 +540,22 @@ pub struct Piece<'a, const N: usize> {
     modes: Modes,
 }
 
+impl<const N: usize> Piece<'_, N> {
+    /// Of the cylinder's parts: pressures as those of the relief valves, the pump's flow and power as much of their limits.
+    #[inline]
+    fn part_kinks(&self, y: &[f64; N]) -> [f64; PART_MARGINS] {
+        let cylinder = &self.crane.cylinder;
+        let [flow, power] = cylinder.pump.map_or([1.0; 2], |pump| [pump.q_pmax, pump.p_pmax]);
+        let scale = |i: usize| match i {
+            FLOW_MARGIN => flow,
+            POWER_MARGIN => power,
+            _ => cylinder.relief[0],
+        };
+        let margins = self.crane.part_margins(y);
+        std::array::from_fn(|i| margins[i].map_or(1.0, |margin| margin / scale(i) / CRACK))
+    }
+}
+
 impl<const N: usize> System<N> for Piece<'_, N> {
     #[inline]
     fn rates(&self, y: &[f64; N]) -> Option<[f64; N]> {
@@ -541,12 +573,21 @@ impl<const N: usize> System<N> for Piece<'_, N> {
         let opening = self.crane.cylinder.relief[0];
         let over = |port: f64| (port / opening - 1.0) / CRACK;
         let [low, high] = self.crane.joint().stops;
+        let parts = self.part_kinks(y);
         [
             y[6] / GAP,
             over(y[2]),
             over(y[3]),
             (y[0] - low) / TOUCH,
             (high - y[0]) / TOUCH,
+            parts[0],
+            parts[1],
+            parts[2],
+            parts[3],
+            parts[4],
+            parts[5],
+            parts[6],
+            parts[7],
         ]
     }
 

@@ -8,20 +8,21 @@ use crate::luffing::moving::crane::{Commands, CraneState, Hangs, MovingCrane, Sn
 use crate::luffing::moving::driven::Slopes;
 use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
 use crate::luffing::moving::given::{Inputs, MOST_STATES};
-use crate::luffing::moving::hydraulic::{self, FIRST, FIXED, Hydraulic, Modes, PresentCrane};
+use crate::luffing::moving::hydraulic::{self, FIRST, FIXED, Hydraulic, MOST, Modes, PresentCrane};
 use crate::luffing::moving::motion::MovingLinkage;
 use crate::luffing::moving::powers::Powers;
 use crate::luffing::moving::shares::{Instant, rope_on_head};
 use crate::luffing::moving::space::{self, Slewing};
 use crate::parts::hanging::to_load;
+use crate::parts::hydraulics::cylinder::{Flows, PART_MARGINS};
 use crate::parts::hydraulics::oil::VACUUM;
 use crate::parts::joint::Bar;
-use crate::parts::solver::rodas::{Run, Tolerance};
+use crate::parts::solver::rodas::Run;
 use crate::parts::solver::{Count, Halt};
 
 /// Most event indicators of any level.
-pub const MOST_INDICATORS: usize = 13;
-/// Event indicators of the oil.
+pub const MOST_INDICATORS: usize = 13 + PART_MARGINS;
+/// Event indicators of the oil besides those of parts that it may have, which stand behind all others.
 const OIL_INDICATORS: usize = 6;
 
 /// The equations of a level.
@@ -32,7 +33,7 @@ pub enum Level<P = f64> {
     /// A cylinder, and nothing else that moves.
     Fixed(Hydraulic<FIXED, P>),
     /// A cylinder, the load on its rope, a crane that slews, or both.
-    Hanging(Hydraulic<{ hydraulic::MOST }, P>),
+    Hanging(Hydraulic<MOST, P>),
 }
 
 /// What the solver keeps of a level: of oil the step on which it is.
@@ -44,7 +45,7 @@ pub enum Level<P = f64> {
 pub enum Ahead {
     Nothing,
     Fixed(Run<FIXED>),
-    Hanging(Run<{ hydraulic::MOST }>),
+    Hanging(Run<MOST>),
 }
 
 /// A crane at an instant: its states and inputs, and what happened before.
@@ -85,16 +86,6 @@ macro_rules! either {
     };
 }
 
-/// Angles and rates, pressures, spool and its speed, load and rope; no more than there are. A spool that is
-/// known better than its edges need would cost a quarter of all steps.
-fn tolerance<const N: usize>(relative: f64, states: usize) -> Tolerance<N> {
-    let mut absolute = [f64::INFINITY; N];
-    absolute[..states].fill(relative * 1e-3);
-    absolute[2..6].fill(relative * 1e6);
-    absolute[6..FIXED].copy_from_slice(&[relative * 0.1, relative * 30.0]);
-    Tolerance { relative, absolute }
-}
-
 /// Spool, relief valves, stops of luffing and vacuum, then slewing and the rope as far as there are any.
 fn oil_indicators<const N: usize, P: Coordinate<P>>(
     system: &Hydraulic<N, P>,
@@ -109,6 +100,8 @@ fn oil_indicators<const N: usize, P: Coordinate<P>>(
     let more = system.indicators(modes, y)?;
     let first = if system.dynamics().turntable().is_some() { 0 } else { 4 };
     put(&mut out[OIL_INDICATORS..], &more[first..]);
+    let parts = system.part_margins(y).map(|margin| margin.unwrap_or(P::constant(0.0)));
+    put(&mut out[MOST_INDICATORS - PART_MARGINS..], &parts);
     Some(out)
 }
 
@@ -191,6 +184,11 @@ impl<P: Calc> Level<P> {
         either!(self, crane => &crane.dynamics, system => system.dynamics())
     }
 
+    /// Flows of its cylinder, where it has one.
+    pub fn oil_flows(&self, y: &[P; MOST_STATES]) -> Option<Flows<P>> {
+        either!(self, _crane => None, system => Some(system.cylinder.flows(&Hydraulic::<MOST, P>::oil(y), system.supply)))
+    }
+
     fn has_oil(&self) -> bool {
         matches!(self, Level::Fixed(_) | Level::Hanging(_))
     }
@@ -203,6 +201,9 @@ impl<P: Calc> Level<P> {
         either!(&mut told, crane => crane.dynamics.put_wind(inputs.wind), system => {
             system.put_wind(inputs.wind);
             (system.command, system.supply) = (inputs.valve, inputs.supply);
+            if let Some(held) = &mut system.cylinder.held {
+                held.torn = inputs.torn;
+            }
             (system.hoist, system.slewing) = (inputs.hoist, inputs.drives[1]);
         });
         Some(told)
@@ -370,7 +371,7 @@ fn oil_run<const N: usize>(
     let mut present = PresentCrane { run: *run, modes };
     match on {
         Some(on) => {
-            let tolerance = tolerance(on.tolerance, system.states());
+            let tolerance = system.tolerance(on.tolerance);
             system.advance(&mut present, &tolerance, on.duration, on.longest)?;
         }
         None if present.run.is_fresh() => system.event(&mut present)?,

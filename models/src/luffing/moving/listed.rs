@@ -23,6 +23,9 @@ pub struct Fittings {
     pub ramp: bool,
     pub motor: bool,
     pub air: bool,
+    pub anti_cavitation: bool,
+    pub load_holding: bool,
+    pub pump: bool,
 }
 
 fn place(list: &[&'static Symbol], symbol: &'static Symbol) -> Option<usize> {
@@ -40,6 +43,9 @@ impl Fittings {
             ramp: sources.ramp.is_some(),
             motor: sources.motor.is_some(),
             air: sources.around.is_some(),
+            anti_cavitation: sources.oil_parts.is_some_and(|parts| parts.anti_cavitation.is_some()),
+            load_holding: sources.oil_parts.is_some_and(|parts| parts.load_holding.is_some()),
+            pump: sources.oil_parts.is_some_and(|parts| parts.pump.is_some()),
         })
     }
 
@@ -58,6 +64,7 @@ impl Fittings {
             (_, Some(6)) => self.rope && !self.motor,
             (_, Some(9)) => self.air,
             (_, Some(10)) => self.air && self.slews,
+            (_, Some(11 | 12)) => self.load_holding,
             _ => true,
         }
     }
@@ -74,7 +81,13 @@ impl Fittings {
             (_, Some(12)) => self.rope,
             (_, Some(13)) => self.ramp,
             (_, Some(14 | 15)) => self.motor,
+            (_, Some(16 | 17)) => self.anti_cavitation,
+            (_, Some(18..22)) => self.load_holding,
+            (_, Some(22 | 23)) => self.pump,
             _ if of(&[&s::F_C, &h::CAVITATES]) => self.oil,
+            _ if of(listed!(h: Q_ACA, Q_ACB)) => self.anti_cavitation,
+            _ if of(listed!(h: Y_LHA, Y_LHB, Q_B1, Q_B2)) => self.load_holding,
+            _ if of(&[&h::P_S]) => self.pump,
             _ if of(listed!(s: S_R, F_AX, F_AY)) => self.rope,
             _ if of(&[&s::M_R_H]) => self.motor,
             _ if of(&[&s::W_BLOW]) => !self.oil || self.rope || self.slews,

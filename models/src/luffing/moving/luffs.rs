@@ -9,6 +9,7 @@ use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::hydraulic::Modes;
 use crate::luffing::moving::level::{CraneAt, Level};
 use crate::parts::air::AirAround;
+use crate::parts::hydraulics::parts::OilParts;
 use crate::parts::motion::Motion;
 use crate::parts::turntable::Turning;
 
@@ -24,6 +25,7 @@ pub struct MotionSources<C: Calc = f64> {
     pub around: Option<AirAround<C>>,
     pub turning: Option<Turning<C>>,
     pub oil: Option<CylinderOil<C>>,
+    pub oil_parts: Option<OilParts<C>>,
     pub wound: Option<One<C>>,
     pub past: Option<Modes>,
     /// Of a rope that drives luffing.
@@ -42,6 +44,7 @@ impl MotionSources {
         around: None,
         turning: None,
         oil: None,
+        oil_parts: None,
         wound: None,
         past: None,
         slack: None,

@@ -13,6 +13,7 @@ use crate::luffing::moving::symbols as s;
 use crate::parts::air::{AIR, around};
 use crate::parts::hanging::too_short;
 use crate::parts::hoist::HoistCommand;
+use crate::parts::hydraulics::parts::OilParts;
 use crate::parts::hydraulics::valve::supersonic;
 use crate::parts::joint::JointDrive;
 use crate::parts::motion::{Motion, short_step};
@@ -50,7 +51,9 @@ pub static SLEWING_KEYS: &[Key] = keys! { s:
 /// Keys of `[luffing.hydraulics]`.
 pub static OIL_KEYS: &[Key] = keys! { s:
     L_MIN > 0, L_MAX > 0, V_0 > 0, V_1 > 0, Q_N > 0, DP_N > 0, DP_L > 0, BETA_E > 0, P_R > 0, K_R >= 0, K_L >= 0,
-    OMEGA_V > 0, ZETA_V >= 0, TOL [tolerance, optional], P_P >= 0 [in_steps], U_V [in_steps, optional]
+    OMEGA_V > 0, ZETA_V >= 0, TOL [tolerance, optional], P_P >= 0 [in_steps], U_V [in_steps, optional],
+    P_AC >= 0 [optional], K_AC > 0 [optional], P_LH > 0 [optional], I_LH >= 0 [optional], DP_LH > 0 [optional],
+    Y_B1 >= 0 [in_steps, optional], Y_B2 >= 0 [in_steps, optional], Q_PMAX > 0 [optional], P_PMAX > 0 [optional]
 };
 
 /// A crane that slews, at the start.
@@ -90,6 +93,8 @@ pub struct Moving {
     pub rope: Option<LoadRope>,
     /// With level `hydraulic`.
     pub oil: Option<CylinderOil<f64>>,
+    /// `None` where its oil has none of them.
+    pub oil_parts: Option<OilParts>,
     /// Where the crane slews.
     pub slewing: Option<SlewingStart>,
     /// In which drives come up to their speed in the book's manoeuvres, in s.
@@ -142,6 +147,10 @@ impl Moving {
         let reach = (bodies.reach, v.of(bodies.reach).unwrap_or(0.0));
         found.extend(rope.and_then(|rope| too_short(hoisting, rope.length, reach)));
         let oil = oil_drive(v, fidelity, found)?;
+        let oil_parts = match v.table("hydraulics") {
+            Some(table) => OilParts::read(table).map_err(|refused| found.push(refused)).ok()?,
+            None => None,
+        };
         if oil.is_some() {
             found.extend(straight_beside_oil(v));
         }
@@ -157,6 +166,7 @@ impl Moving {
         Some(Moving {
             slewing,
             oil,
+            oil_parts,
             ramp: n(&s::T_S).unwrap_or(4.0),
             constants: Constants {
                 c_v: n(&s::C_V).unwrap_or(0.0),
@@ -190,6 +200,7 @@ fn inputs(v: &Values, [dynamics, hoisting]: [&Values; 2], of: fn(&Values, &str) 
         },
         valve: number(oil, &s::U_V),
         supply: number(oil, &s::P_P),
+        torn: [&s::Y_B1, &s::Y_B2].map(|symbol| number(oil, symbol)),
         wind: [&s::V_AIR, &s::CHI_AIR].map(|symbol| number(v.table(AIR.name), symbol)),
     }
 }

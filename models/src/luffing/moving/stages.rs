@@ -3,7 +3,7 @@
 use num_dual::Dual64;
 
 use crate::component::scalar::{EachScalar, Scalar};
-use crate::component::stages::{Found, Rows, results};
+use crate::component::stages::{Found, Rows, absent, results};
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 use crate::kernel::record::Rec;
@@ -15,6 +15,8 @@ use crate::luffing::moving::hydraulic::{Hydraulic, MOST, Modes};
 use crate::luffing::moving::level::{CraneAt, Level, MOST_INDICATORS, MotionResult, seen};
 use crate::luffing::moving::symbols as s;
 use crate::parts::air::AirAround;
+use crate::parts::hydraulics::cylinder::{Flows, PART_MARGINS};
+use crate::parts::hydraulics::parts::OilParts;
 use crate::parts::hydraulics::symbols as h;
 
 /// The equations over a scalar.
@@ -234,12 +236,36 @@ impl CraneOil {
     }
 }
 
+/// What flows through parts of the oil that a scene may leave out, and what of them is open.
+#[derive(Clone, Copy, Debug)]
+pub struct OilFlows<C>(Option<Flows<C>>);
+
+impl<C: Calc> Rows<C> for OilFlows<C> {
+    const ROWS: &'static [&'static Symbol] = listed!(h: Q_ACA, Q_ACB, Y_LHA, Y_LHB, Q_B1, Q_B2, P_S);
+    fn row(&self, row: u8, _: u16) -> Found<C> {
+        let flows = self.0.as_ref().ok_or_else(absent)?;
+        let found = match row {
+            0 | 1 => flows.drawn,
+            2 | 3 => flows.openings,
+            4 | 5 => flows.torn,
+            _ => Some([flows.supply; 2]),
+        };
+        found.map(|two| two[usize::from(row % 2)]).ok_or_else(absent)
+    }
+}
+
+impl<C: Scalar> OilFlows<C> {
+    pub fn new(built: &[Level<C>], told: &[Level<C>], at: &CraneAt<C>, _: &OilParts<C>) -> OilFlows<C> {
+        OilFlows(present(built, told).oil_flows(&at.y))
+    }
+}
+
 /// What falls below zero where a smooth piece of the motion ends.
 #[derive(Clone, Copy, Debug)]
 pub struct CraneEvents<C>([C; INDICATORS.len()]);
 
-/// Of luffing; of the oil, with the stops of luffing; of slewing; of the rope; of the hoist.
-pub const INDICATORS: [&Symbol; 16] = [
+/// Of luffing; of the oil, with the stops of luffing; of slewing; of the rope; of the hoist; of parts of the oil.
+pub const INDICATORS: [&Symbol; 24] = [
     &s::Z_REST,
     &s::Z_LOOSE,
     &s::Z_SPOOL,
@@ -256,6 +282,14 @@ pub const INDICATORS: [&Symbol; 16] = [
     &s::Z_HOIST,
     &s::Z_DRUM_REST,
     &s::Z_DRUM_LOOSE,
+    &h::Z_SUCTION_A,
+    &h::Z_SUCTION_B,
+    &h::Z_HOLD_A,
+    &h::Z_HOLD_B,
+    &h::Z_OPEN_A,
+    &h::Z_OPEN_B,
+    &h::Z_FLOW,
+    &h::Z_POWER,
 ];
 
 rows!(CraneEvents, INDICATORS);
@@ -271,7 +305,9 @@ pub fn events<C: Scalar>(
     let luffing: &[usize] = if fitted.oil { &[2, 3, 4, 5, 6, 7] } else { &[0, 1, 5, 6] };
     let slewing: &[usize] = if fitted.slewing.is_some() { &[8, 9, 10, 11] } else { &[] };
     let mut rows = [C::constant(0.0); INDICATORS.len()];
-    let mut found = found.into_iter();
+    let (found, parts) = found.split_at(MOST_INDICATORS - PART_MARGINS);
+    rows[INDICATORS.len() - PART_MARGINS..].copy_from_slice(parts);
+    let mut found = found.iter().copied();
     for (place, z) in luffing.iter().chain(slewing).chain(&[12]).zip(&mut found) {
         rows[*place] = z;
     }

@@ -105,7 +105,13 @@ fn held_by_oil(level: &Level, at: &mut CraneAt) -> Option<()> {
 
 /// What the scene gives of its motion, at rest.
 fn sources(moving: &Moving) -> MotionSources {
-    let Moving { rope, oil, slewing, .. } = *moving;
+    let Moving {
+        rope,
+        oil,
+        oil_parts,
+        slewing,
+        ..
+    } = *moving;
     let kind = rope.map_or(HoistKind::AtOnce, |rope| rope.hoist);
     MotionSources {
         states: Some(CraneStates([0.0; STATES.len()])),
@@ -123,6 +129,7 @@ fn sources(moving: &Moving) -> MotionSources {
         around: rope.and_then(|rope| rope.air),
         turning: slewing.map(|turn| turn.joint.turning),
         oil,
+        oil_parts,
         wound: moving.winds_at_once().then_some(One(&m::V_H, 0.0)),
         past: Some(Modes::AT_REST),
         slack: Some(Slack(None)),

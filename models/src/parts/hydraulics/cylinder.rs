@@ -4,7 +4,10 @@
 
 use crate::kernel::calc::{Calc, Over};
 use crate::kernel::symbol::Symbol;
+use crate::parts::hydraulics::anti_cavitation::AntiCavitation;
+use crate::parts::hydraulics::load_holding::{HeldLines, checked};
 use crate::parts::hydraulics::oil::{VACUUM, pressure_rate};
+use crate::parts::hydraulics::pump::{PumpDemand, PumpLimits};
 use crate::parts::hydraulics::symbols as s;
 use crate::parts::hydraulics::throttle::{relief, root};
 use crate::parts::hydraulics::valve::Valve;
@@ -40,6 +43,9 @@ pub struct Cylinder<P = f64> {
     /// Opening pressure of the relief valves (Pa), and their flow over the excess, in m³/(s·Pa).
     pub relief: [P; 2],
     pub valve: Valve<P>,
+    pub anti_cavitation: Option<AntiCavitation<P>>,
+    pub held: Option<HeldLines<P>>,
+    pub pump: Option<PumpLimits<P>>,
 }
 
 /// Oil and spool of one cylinder.
@@ -54,6 +60,12 @@ pub struct Oil<C> {
 }
 
 impl<C: Calc> Oil<C> {
+    /// The port with which the valve connects the pump.
+    #[inline]
+    fn fed(&self) -> usize {
+        usize::from(self.spool.value() < 0.0)
+    }
+
     /// Place of the least of all pressures among those of the ports and chambers, and that pressure, in Pa.
     #[inline]
     pub fn least(&self) -> (usize, C) {
@@ -101,12 +113,35 @@ pub struct Flows<C> {
     /// From the valve into the ports, and on into the chambers; the pump's is one of the former.
     pub valve: [C; 2],
     pub pump: C,
+    /// Pressure of the pump, in Pa.
+    pub supply: C,
     pub line: [C; 2],
+    /// Parts of the load-holding valves that are open; none without them.
+    pub openings: Option<[C; 2]>,
+    /// From the tank into the chambers.
+    pub drawn: Option<[C; 2]>,
+    /// Out of torn lines.
+    pub torn: Option<[C; 2]>,
     /// From the ports to the tank.
     pub relief: [C; 2],
     /// From bore to annulus.
     pub leakage: C,
 }
+
+impl<C: Calc> Flows<C> {
+    /// What is left of them in a port.
+    #[inline]
+    fn gains(&self, i: usize) -> C {
+        let left = self.valve[i] - self.line[i] - self.relief[i];
+        self.torn.map_or(left, |torn| left - torn[i])
+    }
+}
+
+/// Numbers of a cylinder's parts whose fall below zero is an event.
+pub const PART_MARGINS: usize = 8;
+/// Which of them are a flow and a power; the others are pressures.
+pub const FLOW_MARGIN: usize = 6;
+pub const POWER_MARGIN: usize = 7;
 
 impl<P: Calc> Cylinder<P> {
     /// Areas of bore and annulus, in m², of a bore and a rod in m.
@@ -127,17 +162,75 @@ impl<P: Calc> Cylinder<P> {
 
     #[inline]
     pub fn flows<C: Over<P>>(&self, oil: &Oil<C>, supply: P) -> Flows<C> {
-        let line = |i: usize| root(oil.ports[i] - oil.chambers[i]).times(self.line);
         let relief = |i: usize| relief(oil.ports[i], self.relief[0], self.relief[1]);
-        let [a, b] = self.valve.flows(oil.spool, supply, oil.ports);
-        let [a, b] = [a.def(&s::Q_1), b.def(&s::Q_2)];
+        let mut valve = self.valve.flows(oil.spool, supply, oil.ports);
+        let mut pressure = C::of(supply);
+        if let Some(pump) = &self.pump {
+            let asked = self.asked(oil, valve, pressure);
+            let [flow, falls] = pump.delivered(&asked);
+            (valve[oil.fed()], pressure) = (flow, falls.def(&s::P_S));
+        }
+        let [a, b] = [valve[0].def(&s::Q_1), valve[1].def(&s::Q_2)];
+        let openings = self.held.as_ref().map(|held| {
+            let opening = |i: usize| held.valves.opening(oil.chambers[i], oil.ports[1 - i]);
+            [opening(0).def(&s::Y_LHA), opening(1).def(&s::Y_LHB)]
+        });
+        let line = |i: usize| {
+            let free = root(oil.ports[i] - oil.chambers[i]).times(self.line);
+            openings.map_or(free, |openings| checked(free, openings[i]))
+        };
+        let torn = |held: &HeldLines<P>, i: usize| root(oil.ports[i]).times(self.line).times(held.torn[i]);
         Flows {
             valve: [a, b],
-            pump: if oil.spool.value() >= 0.0 { a } else { b }.def(&s::Q_0),
+            pump: [a, b][oil.fed()].def(&s::Q_0),
+            supply: pressure,
             line: [line(0).def(&s::Q_LA), line(1).def(&s::Q_LB)],
+            openings,
+            drawn: (self.anti_cavitation.as_ref()).map(|valves| {
+                let [bore, annulus] = oil.chambers.map(|chamber| valves.flow(chamber));
+                [bore.def(&s::Q_ACA), annulus.def(&s::Q_ACB)]
+            }),
+            torn: (self.held.as_ref()).map(|held| [torn(held, 0).def(&s::Q_B1), torn(held, 1).def(&s::Q_B2)]),
             relief: [relief(0).def(&s::Q_R1), relief(1).def(&s::Q_R2)],
             leakage: (oil.chambers[0] - oil.chambers[1]).times(self.leakage).def(&s::Q_LEAK),
         }
+    }
+
+    /// What the pump is asked for while the valve passes flows (m³/s) at its full pressure (Pa).
+    #[inline]
+    fn asked<C: Over<P>>(&self, oil: &Oil<C>, valve: [C; 2], supply: C) -> PumpDemand<C> {
+        let edge = self.valve.opening(oil.spool).times(self.valve.conductance);
+        let fed = oil.fed();
+        PumpDemand {
+            flow: valve[fed],
+            edge: if fed == 0 { edge } else { -edge },
+            port: oil.ports[fed],
+            supply,
+        }
+    }
+
+    /// What falls below zero where a part opens, is fully open or at its limit, of those that are there: anti-cavitation
+    /// valves (Pa), load-holding valves that open and that are open (Pa), pump by flow (m³/s) and power (W).
+    #[inline]
+    pub fn margins<C: Over<P>>(&self, oil: &Oil<C>, supply: P) -> [Option<C>; PART_MARGINS] {
+        let suction = self
+            .anti_cavitation
+            .as_ref()
+            .map(|valves| oil.chambers.map(|p| valves.margin(p)));
+        let held = self.held.as_ref().map(|held| {
+            let left = |i: usize, full: C| full - held.valves.excess(oil.chambers[i], oil.ports[1 - i]);
+            let (none, full) = (C::constant(0.0), C::of(held.valves.dp_lh));
+            [left(0, none), left(1, none), left(0, full), left(1, full)]
+        });
+        let pump = self.pump.as_ref().map(|pump| {
+            let valve = self.valve.flows(oil.spool, supply, oil.ports);
+            pump.margins(&self.asked(oil, valve, C::of(supply)))
+        });
+        let [suction, pump] = [suction, pump].map(|two| two.map_or([None; 2], |two| two.map(Some)));
+        let held = held.map_or([None; 4], |four| four.map(Some));
+        [
+            suction[0], suction[1], held[0], held[1], held[2], held[3], pump[0], pump[1],
+        ]
     }
 
     /// Oil in the chambers, in m³, at a length (m).
@@ -157,8 +250,11 @@ impl<P: Calc> Cylinder<P> {
         let f = self.flows(oil, supply);
         let volumes = self.volumes(length);
         let modulus = self.bulk_modulus;
-        let port = |i: usize| (f.valve[i] - f.line[i] - f.relief[i]).times(modulus) / C::of(self.port_volume);
-        let chamber = |i: usize, flow: C, growth: C| pressure_rate(modulus, volumes[i], flow, growth);
+        let port = |i: usize| f.gains(i).times(modulus) / C::of(self.port_volume);
+        let chamber = |i: usize, flow: C, growth: C| {
+            let flow = f.drawn.map_or(flow, |drawn| flow + drawn[i]);
+            pressure_rate(modulus, volumes[i], flow, growth)
+        };
         Oil {
             ports: [port(0), port(1)],
             chambers: [
@@ -177,18 +273,25 @@ impl Cylinder {
     #[must_use]
     pub fn powers(&self, oil: &Oil<f64>, speed: f64, supply: f64) -> [f64; 3] {
         let f = self.flows(oil, supply);
-        let (fed, other) = if oil.spool >= 0.0 { (0, 1) } else { (1, 0) };
+        let (fed, other) = (oil.fed(), 1 - oil.fed());
         let growth = [speed * self.areas[0], -speed * self.areas[1]];
         let gain = [-f.leakage, f.leakage];
-        let mut throttles = (supply - oil.ports[fed]) * f.pump - oil.ports[other] * f.valve[other];
+        let mut throttles = (f.supply - oil.ports[fed]) * f.pump - oil.ports[other] * f.valve[other];
         throttles += (oil.chambers[0] - oil.chambers[1]) * f.leakage;
         let mut compression = 0.0;
         for i in 0..2 {
             let (port, chamber) = (oil.ports[i], oil.chambers[i]);
             throttles += (port - chamber) * f.line[i] + port * f.relief[i];
-            compression += port * (f.valve[i] - f.line[i] - f.relief[i]);
+            compression += port * f.gains(i);
             compression += chamber * (f.line[i] + gain[i] - growth[i]);
+            if let Some(torn) = f.torn {
+                throttles += port * torn[i];
+            }
+            if let Some(drawn) = f.drawn {
+                throttles -= chamber * drawn[i];
+                compression += chamber * drawn[i];
+            }
         }
-        [supply * f.pump, throttles, compression]
+        [f.supply * f.pump, throttles, compression]
     }
 }

@@ -6,12 +6,20 @@
 //! | `throttle` | flow through a sharp edge, relief valve, leakage |
 //! | `valve` | proportional valve with the dynamics of its spool |
 //! | `cylinder` | chambers, ports and their lines |
+//! | `anti_cavitation` | valves that feed a chamber from the tank |
+//! | `load_holding` | valves that hold the load, whatever happens to a line |
+//! | `pump` | limits of flow and power |
+//! | `parts` | the last three, each of which may be there |
 //! | `symbols` | what the book calls flows, areas and volumes |
 //!
 //! Pressures are in Pa above the tank's, flows in m³/s, positive into a volume.
 
+pub mod anti_cavitation;
 pub mod cylinder;
+pub mod load_holding;
 pub mod oil;
+pub mod parts;
+pub mod pump;
 pub mod symbols;
 pub mod throttle;
 pub mod valve;

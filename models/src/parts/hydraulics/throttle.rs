@@ -15,6 +15,24 @@ pub fn root<C: Calc>(difference: C) -> C {
     difference.through(Root)
 }
 
+/// The pressure difference (Pa) of such a root, above zero: Δp² = (r⁴ + √(r⁸ + 4 Δp_l² r⁴))/2.
+#[inline]
+pub fn difference<C: Calc>(root: C) -> C {
+    root.through(Difference)
+}
+
+struct Difference;
+
+impl Function for Difference {
+    #[inline]
+    fn at<C: Calc>(&self, root: C) -> C {
+        let laminar = C::known(&DP_LAM, LAMINAR);
+        let fourth = root.square().square();
+        let inner = fourth.square() + C::constant(4.0) * laminar.square() * fourth;
+        (C::constant(0.5) * (fourth + inner.sqrt())).sqrt()
+    }
+}
+
 struct Root;
 
 impl Function for Root {

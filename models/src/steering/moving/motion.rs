@@ -62,6 +62,9 @@ pub fn working<C: Calc>(
             frequency: moving.omega_v,
             damping: moving.zeta_v,
         },
+        anti_cavitation: None,
+        held: None,
+        pump: None,
     };
     let against = |i: usize| match drags.map(|drags| resistance(&drags[i])) {
         None => C::constant(0.0),

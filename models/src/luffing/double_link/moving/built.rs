@@ -22,6 +22,8 @@ use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::level::Level;
 use crate::parts::air::AirAround;
 use crate::parts::hydraulics::cylinder::Cylinder;
+use crate::parts::hydraulics::load_holding::HeldLines;
+use crate::parts::hydraulics::parts::OilParts;
 use crate::parts::hydraulics::valve::Valve;
 use crate::parts::motion::Motion;
 use crate::parts::plane::Point;
@@ -46,6 +48,7 @@ pub struct CraneParts<P: Calc> {
     pub around: Option<AirAround<P>>,
     pub turning: Option<Turning<P>>,
     pub oil: Option<CylinderOil<P>>,
+    pub oil_parts: Option<OilParts<P>>,
     pub fitted: Fitted,
 }
 
@@ -82,7 +85,7 @@ where
             axis: -self.parameters.lengths.x_8,
             constants: self.constants,
             turning: self.turning,
-            cylinder: oil.map(|(oil, bore)| cylinder(&oil, &bore)),
+            cylinder: oil.map(|(oil, bore)| cylinder(&oil, &bore, self.oil_parts)),
             around: self.around,
             fitted: self.fitted,
         }
@@ -142,7 +145,12 @@ where
     }
 }
 
-fn cylinder<P: Calc>(oil: &CylinderOil<P>, bore: &Bore<P>) -> Cylinder<P> {
+/// Its lines whole.
+fn cylinder<P: Calc>(oil: &CylinderOil<P>, bore: &Bore<P>, parts: Option<OilParts<P>>) -> Cylinder<P> {
+    let held = |valves| HeldLines {
+        valves,
+        torn: [P::constant(0.0); 2],
+    };
     Cylinder {
         areas: Cylinder::areas(bore.d_c, bore.d_r),
         lengths: [oil.l_min, oil.l_max],
@@ -158,5 +166,8 @@ fn cylinder<P: Calc>(oil: &CylinderOil<P>, bore: &Bore<P>) -> Cylinder<P> {
             frequency: oil.omega_v,
             damping: oil.zeta_v,
         },
+        anti_cavitation: parts.and_then(|parts| parts.anti_cavitation),
+        held: parts.and_then(|parts| parts.load_holding).map(held),
+        pump: parts.and_then(|parts| parts.pump),
     }
 }

@@ -25,6 +25,7 @@ use crate::luffing::moving::level::{CraneAt, Level};
 use crate::luffing::moving::reduced::Renewed;
 use crate::luffing::moving::stages::{CraneMoves, open, present, rates_after};
 use crate::parts::air::AirAround;
+use crate::parts::hydraulics::parts::OilParts;
 use crate::parts::turntable::Turning;
 
 type ForcesOf<P> = fn(&Level<P>, &HeavyLinkage<P>, &CraneAt<P>) -> Option<ForcesInMotion<P>>;
@@ -78,6 +79,7 @@ pub fn parts<C: Scalar>(
     around: &Option<AirAround<C>>,
     turning: &Option<Turning<C>>,
     oil: &Option<CylinderOil<C>>,
+    oil_parts: &Option<OilParts<C>>,
     fitted: &Fitted,
     choice: &Choice,
     room: &mut Vec<CraneParts<C>>,
@@ -95,6 +97,7 @@ pub fn parts<C: Scalar>(
         around: *around,
         turning: *turning,
         oil: *oil,
+        oil_parts: *oil_parts,
         fitted: *fitted,
     });
 }

@@ -127,17 +127,16 @@ pub(super) fn integrals(moving: &Moving, rate: &'static Symbol) -> Vec<Integral>
             .map(|factors| of(negative, factors, Some(&m::BETA_E)))
             .collect()
     };
+    let limited = moving.oil_parts.is_some_and(|parts| parts.pump.is_some());
+    let pump = || of(false, &[if limited { &h::P_S } else { &m::P_P }, &h::Q_0], None);
     // What the pump gives, the oil does not store and the rod does not take.
-    let mut resisted = vec![
-        of(false, &[&m::P_P, &h::Q_0], None),
-        of(true, &[&m::F_C, &d::V_D], None),
-    ];
+    let mut resisted = vec![pump(), of(true, &[&m::F_C, &d::V_D], None)];
     resisted.extend(compression(true));
     let all = [
         integral(!oil, &m::W_A, vec![of(false, &[&m::M_A, rate], None)]),
         integral(slews, &m::W_SL, vec![of(false, &[&m::M_SL, &m::OMEGA_SL], None)]),
         integral(hangs && moving.hoists(), &m::W_H, vec![hoist]),
-        integral(oil, &m::W_P, vec![of(false, &[&m::P_P, &h::Q_0], None)]),
+        integral(oil, &m::W_P, vec![pump()]),
         integral(oil, &m::E_OIL, compression(false)),
         integral(true, &m::W_R, friction.into_iter().flatten().collect()),
         integral(oil, &m::W_T, resisted),

@@ -18,6 +18,7 @@ pub(super) struct Watch {
     /// A rope that drives luffing pulls.
     pulls: bool,
     relief: [bool; 2],
+    drawn: [bool; 2],
 }
 
 impl Watch {
@@ -25,6 +26,7 @@ impl Watch {
     pub(super) fn new(range: &Motion, moving: &Moving, present: &CraneAt, sample: f64) -> Watch {
         let y = present.y;
         let opening = moving.oil.map_or(f64::INFINITY, |oil| oil.p_r);
+        let suction = moving.oil_parts.and_then(|parts| parts.anti_cavitation);
         let at = |x: f64, [low, high]: [f64; 2]| [x <= low, x >= high];
         let ends = [range.from, range.to];
         let (oil, own) = (moving.oil.is_some(), if moving.oil.is_some() { FIXED } else { 2 });
@@ -56,6 +58,9 @@ impl Watch {
             } else {
                 [false; 2]
             },
+            drawn: suction.map_or([false; 2], |valves| {
+                [y[4], y[5]].map(|chamber| valves.margin(chamber) < 0.0)
+            }),
         }
     }
 
@@ -96,6 +101,8 @@ impl Watch {
             (before.pulls, self.pulls, "tackle_taut", "tackle_slack"),
             (before.relief[0], self.relief[0], "relief_1_opens", "relief_1_closes"),
             (before.relief[1], self.relief[1], "relief_2_opens", "relief_2_closes"),
+            (before.drawn[0], self.drawn[0], "suction_A_opens", "suction_A_closes"),
+            (before.drawn[1], self.drawn[1], "suction_B_opens", "suction_B_closes"),
         ];
         for (before, now, on, off) in switches {
             if before != now {
