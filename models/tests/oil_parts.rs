@@ -20,6 +20,7 @@ const HOLDS: LoadHolding<f64> = LoadHolding {
     p_lh: 180e5,
     i_lh: 4.0,
     dp_lh: 30e5,
+    x_t: 0.05,
 };
 const LIMITS: PumpLimits<f64> = PumpLimits {
     q_pmax: 5e-3,
@@ -166,7 +167,10 @@ fn neither_flow_nor_power_of_the_pump_is_exceeded() {
     }
     assert!(seen.iter().all(|count| *count > 1000), "{seen:?}");
     for drop in [1.0, 1e3, 2e4, 1e6, 2e7] {
-        assert!((difference(root(drop)) / drop - 1.0).abs() < 1e-12, "{drop}");
+        assert!(
+            (difference(root(drop) * root(drop)) / drop - 1.0).abs() < 1e-12,
+            "{drop}"
+        );
     }
 }
 
@@ -178,7 +182,7 @@ fn powers_are_balanced() {
         oil([120e5, 30e5], [100e5, 20e5], 0.8),
         oil([20e5, 160e5], [150e5, 170e5], -0.9),
         oil([-5e4, 60e5], [-9e4, 55e5], -0.2),
-        oil([0.0, 200e5], [150e5, -6e4], 0.0),
+        oil([0.0, 200e5], [150e5, -6e4], 0.01),
     ];
     for state in states {
         for speed in [-0.1, 0.04] {
@@ -191,7 +195,7 @@ fn powers_are_balanced() {
     }
 }
 
-const PARTS: &str = "p_ac = \"0.2 bar\"\nk_ac = \"2e-7 m3/(s.Pa)\"\np_lh = \"180 bar\"\ni_lh = \"4\"\ndp_lh = \"30 bar\"\n\
+const PARTS: &str = "p_ac = \"0.2 bar\"\nk_ac = \"2e-7 m3/(s.Pa)\"\np_lh = \"180 bar\"\ni_lh = \"4\"\ndp_lh = \"30 bar\"\nx_T = \"0.1\"\n\
                      y_b1 = \"0.4\"\ny_b2 = \"0.1\"\nQ_Pmax = \"300 L/min\"\nP_Pmax = \"60 kW\"\n";
 
 fn model(level: &str) -> Model {
@@ -227,6 +231,7 @@ fn derivatives_are_exact() {
         "z.hold_B",
         "z.open_A",
         "z.open_B",
+        "z.underlap",
         "z.flow",
         "z.power",
     ];
@@ -298,7 +303,7 @@ fn parts_are_whole_or_absent() {
     }
     assert_eq!(
         model("hydraulic").indicators(),
-        levels::model("hydraulic").indicators() + 8
+        levels::model("hydraulic").indicators() + 9
     );
     for line in PARTS.lines() {
         let lone = line.split(' ').next().expect("a key");

@@ -757,9 +757,43 @@ fn hydraulics(n: &mut Node, linkage: &Linkage, bore: f64, pressure: f64) {
         let opening = o.draw.between(-1.0, 1.0);
         o.set("u_v", opening);
     }
+    oil_parts(&mut o, [supply, flow]);
     if o.has("tol") {
         let tolerance = o.draw.decades(-7, -3);
         o.set("tol", tolerance);
+    }
+}
+
+/// Each whole or absent, at a pressure of the pump and a flow of the valve.
+fn oil_parts(o: &mut Node, [supply, flow]: [f64; 2]) {
+    let mut part = |low: f64, high: f64| o.draw.between(low, high);
+    let draws = [("p_ac", part(0.0, 9e4)), ("k_ac", flow / part(1e3, 1e5))];
+    let holds = [
+        ("p_lh", supply * part(0.1, 1.2)),
+        ("i_lh", part(0.0, 10.0)),
+        ("dp_lh", supply * part(0.05, 1.0)),
+        ("x_T", part(0.0, 0.2)),
+    ];
+    let torn = [("y_b1", part(0.0, 1.0)), ("y_b2", part(0.0, 1.0))];
+    let limits = [
+        ("Q_Pmax", flow * part(0.1, 3.0)),
+        ("P_Pmax", supply * flow * part(0.05, 2.0)),
+    ];
+    let there = [0; 3].map(|_| o.draw.coin(0.5));
+    let tears = there[1] && o.draw.coin(0.5);
+    for (parts, there) in [
+        (&draws[..], there[0]),
+        (&holds, there[1]),
+        (&torn, tears),
+        (&limits, there[2]),
+    ] {
+        for (name, value) in parts {
+            if there {
+                o.set(name, *value);
+            } else {
+                o.remove(&[name]);
+            }
+        }
     }
 }
 

@@ -18,8 +18,8 @@ const OWN_USES: [Purpose; 9] = [
     ("hoist", &[&m::V_H, &m::A_H]),
     ("relief", listed!(m: P_R, K_R)),
     ("anti_cavitation", listed!(m: P_AC, K_AC)),
-    ("load_holding", listed!(m: P_LH, I_LH, DP_LH)),
-    ("pump_limits", listed!(m: Q_PMAX, P_PMAX)),
+    ("load_holding", listed!(m: P_LH, I_LH, DP_LH, X_T)),
+    ("pump_limits", listed!(m: P_P, Q_PMAX, P_PMAX)),
     ("friction", listed!(turntable: C_SL, M_F_SL)),
     ("stops", listed!(turntable: PSI_MIN, PSI_MAX)),
 ];

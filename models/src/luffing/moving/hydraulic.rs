@@ -15,7 +15,7 @@ use crate::luffing::moving::shares::Shares;
 use crate::luffing::moving::space::{self, Slewing};
 use crate::luffing::moving::symbols as s;
 use crate::parts::hoist::{Drum, HoistCommand, HoistPowers, Winch};
-use crate::parts::hydraulics::cylinder::{Cylinder, FLOW_MARGIN, Oil, PART_MARGINS, POWER_MARGIN};
+use crate::parts::hydraulics::cylinder::{Cylinder, FLOW_MARGIN, Oil, PART_MARGINS, POWER_MARGIN, UNDERLAP_MARGIN};
 use crate::parts::joint::{Bar, Joint, JointDrive};
 use crate::parts::solver::rodas::{Run, Tolerance};
 use crate::parts::solver::{Gradient, Halt, MOST_IMPLICIT, MOST_KINKS, System};
@@ -457,7 +457,13 @@ impl<const N: usize> Hydraulic<N> {
         if !push.is_finite() {
             return None;
         }
-        y[2..6].copy_from_slice(&[push, back, push, back]);
+        // Load-holding valves keep the oil from the ports, which the valve's middle relieves.
+        let ports = if self.cylinder.held.is_some() {
+            [0.0; 2]
+        } else {
+            [push, back]
+        };
+        y[2..6].copy_from_slice(&[ports[0], ports[1], push, back]);
         Some(y)
     }
 
@@ -547,12 +553,13 @@ impl<const N: usize> Piece<'_, N> {
         let cylinder = &self.crane.cylinder;
         let [flow, power] = cylinder.pump.map_or([1.0; 2], |pump| [pump.q_pmax, pump.p_pmax]);
         let scale = |i: usize| match i {
-            FLOW_MARGIN => flow,
-            POWER_MARGIN => power,
-            _ => cylinder.relief[0],
+            UNDERLAP_MARGIN => GAP,
+            FLOW_MARGIN => flow * CRACK,
+            POWER_MARGIN => power * CRACK,
+            _ => cylinder.relief[0] * CRACK,
         };
         let margins = self.crane.part_margins(y);
-        std::array::from_fn(|i| margins[i].map_or(1.0, |margin| margin / scale(i) / CRACK))
+        std::array::from_fn(|i| margins[i].map_or(1.0, |margin| margin / scale(i)))
     }
 }
 
@@ -588,6 +595,7 @@ impl<const N: usize> System<N> for Piece<'_, N> {
             parts[5],
             parts[6],
             parts[7],
+            parts[8],
         ]
     }
 

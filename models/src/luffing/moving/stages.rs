@@ -265,7 +265,7 @@ impl<C: Scalar> OilFlows<C> {
 pub struct CraneEvents<C>([C; INDICATORS.len()]);
 
 /// Of luffing; of the oil, with the stops of luffing; of slewing; of the rope; of the hoist; of parts of the oil.
-pub const INDICATORS: [&Symbol; 24] = [
+pub const INDICATORS: [&Symbol; 25] = [
     &s::Z_REST,
     &s::Z_LOOSE,
     &s::Z_SPOOL,
@@ -288,6 +288,7 @@ pub const INDICATORS: [&Symbol; 24] = [
     &h::Z_HOLD_B,
     &h::Z_OPEN_A,
     &h::Z_OPEN_B,
+    &h::Z_UNDERLAP,
     &h::Z_FLOW,
     &h::Z_POWER,
 ];

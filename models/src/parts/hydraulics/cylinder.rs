@@ -122,6 +122,8 @@ pub struct Flows<C> {
     pub drawn: Option<[C; 2]>,
     /// Out of torn lines.
     pub torn: Option<[C; 2]>,
+    /// From the ports to the tank in the valve's middle.
+    pub relieved: Option<[C; 2]>,
     /// From the ports to the tank.
     pub relief: [C; 2],
     /// From bore to annulus.
@@ -133,15 +135,17 @@ impl<C: Calc> Flows<C> {
     #[inline]
     fn gains(&self, i: usize) -> C {
         let left = self.valve[i] - self.line[i] - self.relief[i];
-        self.torn.map_or(left, |torn| left - torn[i])
+        let lost = self.torn.zip(self.relieved);
+        lost.map_or(left, |(torn, relieved)| left - torn[i] - relieved[i])
     }
 }
 
 /// Numbers of a cylinder's parts whose fall below zero is an event.
-pub const PART_MARGINS: usize = 8;
-/// Which of them are a flow and a power; the others are pressures.
-pub const FLOW_MARGIN: usize = 6;
-pub const POWER_MARGIN: usize = 7;
+pub const PART_MARGINS: usize = 9;
+/// Which of them are a part of the spool's stroke, a flow and a power; the others are pressures.
+pub const UNDERLAP_MARGIN: usize = 6;
+pub const FLOW_MARGIN: usize = 7;
+pub const POWER_MARGIN: usize = 8;
 
 impl<P: Calc> Cylinder<P> {
     /// Areas of bore and annulus, in m², of a bore and a rod in m.
@@ -191,6 +195,11 @@ impl<P: Calc> Cylinder<P> {
                 [bore.def(&s::Q_ACA), annulus.def(&s::Q_ACB)]
             }),
             torn: (self.held.as_ref()).map(|held| [torn(held, 0).def(&s::Q_B1), torn(held, 1).def(&s::Q_B2)]),
+            relieved: (self.held.as_ref()).map(|held| {
+                let edge = held.valves.relieves(oil.spool).times(self.valve.conductance);
+                let [a, b] = oil.ports.map(|port| edge * root(port));
+                [a.def(&s::Q_T1), b.def(&s::Q_T2)]
+            }),
             relief: [relief(0).def(&s::Q_R1), relief(1).def(&s::Q_R2)],
             leakage: (oil.chambers[0] - oil.chambers[1]).times(self.leakage).def(&s::Q_LEAK),
         }
@@ -209,8 +218,9 @@ impl<P: Calc> Cylinder<P> {
         }
     }
 
-    /// What falls below zero where a part opens, is fully open or at its limit, of those that are there: anti-cavitation
-    /// valves (Pa), load-holding valves that open and that are open (Pa), pump by flow (m³/s) and power (W).
+    /// What falls below zero where a part opens, is fully open, shut or at its limit, of those that are there:
+    /// anti-cavitation valves (Pa), load-holding valves that open and that are open (Pa), underlap of the spool, pump by flow
+    /// (m³/s) and power (W).
     #[inline]
     pub fn margins<C: Over<P>>(&self, oil: &Oil<C>, supply: P) -> [Option<C>; PART_MARGINS] {
         let suction = self
@@ -220,16 +230,17 @@ impl<P: Calc> Cylinder<P> {
         let held = self.held.as_ref().map(|held| {
             let left = |i: usize, full: C| full - held.valves.excess(oil.chambers[i], oil.ports[1 - i]);
             let (none, full) = (C::constant(0.0), C::of(held.valves.dp_lh));
-            [left(0, none), left(1, none), left(0, full), left(1, full)]
+            let underlap = held.valves.underlap(oil.spool);
+            [left(0, none), left(1, none), left(0, full), left(1, full), underlap]
         });
         let pump = self.pump.as_ref().map(|pump| {
             let valve = self.valve.flows(oil.spool, supply, oil.ports);
             pump.margins(&self.asked(oil, valve, C::of(supply)))
         });
         let [suction, pump] = [suction, pump].map(|two| two.map_or([None; 2], |two| two.map(Some)));
-        let held = held.map_or([None; 4], |four| four.map(Some));
+        let held = held.map_or([None; 5], |five| five.map(Some));
         [
-            suction[0], suction[1], held[0], held[1], held[2], held[3], pump[0], pump[1],
+            suction[0], suction[1], held[0], held[1], held[2], held[3], held[4], pump[0], pump[1],
         ]
     }
 
@@ -284,8 +295,8 @@ impl Cylinder {
             throttles += (port - chamber) * f.line[i] + port * f.relief[i];
             compression += port * f.gains(i);
             compression += chamber * (f.line[i] + gain[i] - growth[i]);
-            if let Some(torn) = f.torn {
-                throttles += port * torn[i];
+            if let Some((torn, relieved)) = f.torn.zip(f.relieved) {
+                throttles += port * (torn[i] + relieved[i]);
             }
             if let Some(drawn) = f.drawn {
                 throttles -= chamber * drawn[i];

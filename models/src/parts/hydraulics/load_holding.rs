@@ -1,5 +1,6 @@
 //! Load-holding valves: one in each line, at the cylinder. Oil flows freely into the chamber; out of it only as far as the
-//! chamber's own pressure and that of the other port, by the pilot ratio, open it against its spring.
+//! chamber's own pressure and that of the other port, by the pilot ratio, open it against its spring. In the middle the
+//! proportional valve relieves both ports to the tank: a pilot that stayed shut in would keep them open.
 
 use crate::kernel::calc::{Calc, Over};
 use crate::kernel::group::quantities;
@@ -7,7 +8,7 @@ use crate::parts::hydraulics::symbols as s;
 
 quantities! {
     /// Of both, whose springs are vented: the pressure behind them does not count.
-    LoadHolding { p_lh: P_LH, i_lh: I_LH, dp_lh: DP_LH }
+    LoadHolding { p_lh: P_LH, i_lh: I_LH, dp_lh: DP_LH, x_t: X_T }
 }
 
 impl<P: Calc> LoadHolding<P> {
@@ -26,6 +27,19 @@ impl<P: Calc> LoadHolding<P> {
             open if open >= self.dp_lh.value() => C::constant(1.0),
             _ => excess / C::of(self.dp_lh),
         }
+    }
+
+    /// What is left of a spool's stroke, in [−1, 1], until it shuts the ports off from the tank: x_T − |x|.
+    #[inline]
+    pub fn underlap<C: Over<P>>(&self, spool: C) -> C {
+        C::of(self.x_t) - spool.abs()
+    }
+
+    /// The same as an opening; none beyond.
+    #[inline]
+    pub fn relieves<C: Over<P>>(&self, spool: C) -> C {
+        let open = self.underlap(spool);
+        if open.value() > 0.0 { open } else { C::constant(0.0) }
     }
 }
 

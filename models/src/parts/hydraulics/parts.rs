@@ -32,7 +32,7 @@ impl<C: Copy> OilParts<C> {
 impl<C: Calc> Group<C> for OilParts<C> {
     type Over<D: Calc> = OilParts<D>;
     /// Of all parts.
-    const SIZE: usize = 7;
+    const SIZE: usize = 8;
     fn map<D: Calc>(&self, f: &mut dyn FnMut(Quantity, C) -> D) -> OilParts<D> {
         self.map(&mut |symbol, value| f((symbol, None), value))
     }
@@ -75,7 +75,7 @@ impl OilParts {
                 torn.id,
                 what,
                 "nothing would hold",
-                "add p_lh, i_lh and dp_lh, or remove it",
+                "add p_lh, i_lh, dp_lh and x_T, or remove it",
             ));
         }
         let any = parts.anti_cavitation.is_some() || parts.load_holding.is_some() || parts.pump.is_some();

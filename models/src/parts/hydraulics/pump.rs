@@ -22,9 +22,20 @@ pub struct PumpDemand<C> {
 }
 
 impl<C: Calc> PumpDemand<C> {
+    fn plain(&self) -> PumpDemand<f64> {
+        let [flow, edge, port, supply] = [self.flow, self.edge, self.port, self.supply].map(C::value);
+        PumpDemand {
+            flow,
+            edge,
+            port,
+            supply,
+        }
+    }
+
     /// Pressure of the pump (Pa) with which its edge passes no more than a flow.
     fn behind(&self, flow: C) -> C {
-        self.port + difference(flow / self.edge)
+        let turbulent = (flow / self.edge).square().def(&s::DP_T);
+        self.port + difference(turbulent).def(&s::DP_E)
     }
 }
 
@@ -33,11 +44,11 @@ impl<P: Calc> PumpLimits<P> {
     /// than P_max the flow with which it is that.
     #[inline]
     pub fn delivered<C: Over<P>>(&self, asked: &PumpDemand<C>) -> [C; 2] {
-        let [within, behind] = self.within_flow(asked);
-        if (within * behind).value() <= self.p_pmax.value() {
-            return [within, behind];
+        let [within, behind] = self.map(&mut |_, most| most.value()).within_flow(&asked.plain());
+        if within * behind <= self.p_pmax.value() {
+            return self.within_flow(asked);
         }
-        let drop = self.drop(asked, within.value());
+        let drop = self.drop(asked, within);
         [asked.edge * root(drop), asked.port + drop]
     }
 
@@ -58,7 +69,7 @@ impl<P: Calc> PumpLimits<P> {
         let slope = edge * (found[0] + (port + found[1]) / found[2]);
         let start = C::constant(found[1]).def(&s::DP_E0);
         let slope = C::constant(slope).def(&s::Q_E0);
-        let power = (asked.port + start) * asked.edge * root(start);
+        let power = ((asked.port + start) * asked.edge * root(start)).def(&s::P_E0);
         (start + (C::of(self.p_pmax) - power) / slope).def(&s::DP_E)
     }
 
@@ -75,7 +86,7 @@ impl<P: Calc> PumpLimits<P> {
 fn throttled(port: f64, power: f64, above: f64) -> [f64; 3] {
     const STEPS: u32 = 100;
     let at = |root: f64| {
-        let drop = difference(root);
+        let drop = difference(root * root);
         let (square, laminar) = (drop * drop, LAMINAR * LAMINAR);
         let sum = square + laminar;
         // Of the edge: dr/dΔp = (Δp²/2 + Δp_l²)/(Δp² + Δp_l²)^(5/4).

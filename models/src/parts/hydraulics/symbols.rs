@@ -10,6 +10,7 @@ symbols! {
     P_LH: "p_lh" "p_\"lh\"" PA / MPA [positive], "Setting of the load-holding valves: pressure of the chamber at which they open without a pilot.", "input";
     I_LH: "i_lh" "i_\"lh\"" ONE / ONE [not_negative], "Pilot ratio of the load-holding valves: how many times as much as the chamber's pressure that of the other port opens them.", "input";
     DP_LH: "dp_lh" "Delta p_\"lh\"" PA / MPA [positive], "Pressure above their setting at which the load-holding valves are fully open.", "input";
+    X_T: "x_T" "x_T" ONE / ONE [from_to(0.0, 1.0)], "Underlap of the valve's edges to the tank: part of the stroke, from the middle and to either side, in which both ports are open to it, so that the load-holding valves shut.", "input";
     Y_B1: "y_b1" "y_(\"b\" 1)" ONE / ONE [from_to(0.0, 1.0)], "Part of the line on the side of the bore that is torn open between port and load-holding valve.", "input";
     Y_B2: "y_b2" "y_(\"b\" 2)" ONE / ONE [from_to(0.0, 1.0)], "Part of the line on the side of the annulus that is torn open between port and load-holding valve.", "input";
     Q_PMAX: "Q_Pmax" "Q_(P,max)" M3_PER_S / L_PER_MIN [positive], "Greatest flow of the pump.", "input";
@@ -19,11 +20,15 @@ symbols! {
     Q_ACB: "Q_acB" "Q_(\"ac\" B)" M3_PER_S / L_PER_MIN [not_negative], "Flow from the tank through the anti-cavitation valve into the chamber of the annulus.", "continuity of flow";
     Y_LHA: "y_lhA" "y_(\"lh\" A)" ONE / ONE [from_to(0.0, 1.0)], "Part of the load-holding valve of the bore that is open.", "equilibrium";
     Y_LHB: "y_lhB" "y_(\"lh\" B)" ONE / ONE [from_to(0.0, 1.0)], "Part of the load-holding valve of the annulus that is open.", "equilibrium";
+    Q_T1: "Q_t1" "Q_(T 1)" M3_PER_S / L_PER_MIN, "Flow from the port on the side of the bore to the tank in the valve's middle.", "continuity of flow";
+    Q_T2: "Q_t2" "Q_(T 2)" M3_PER_S / L_PER_MIN, "Flow from the port on the side of the annulus to the tank in the valve's middle.", "continuity of flow";
     Q_B1: "Q_b1" "Q_(\"b\" 1)" M3_PER_S / L_PER_MIN, "Flow out of the torn line on the side of the bore.", "continuity of flow";
     Q_B2: "Q_b2" "Q_(\"b\" 2)" M3_PER_S / L_PER_MIN, "Flow out of the torn line on the side of the annulus.", "continuity of flow";
-    DP_E0: "dp_E0" "Delta p_(E,0)" PA / MPA, "Pressure difference over the pump's edge, found before.", "implicit function";
-    Q_E0: "Q_E0" "Q_(E,0)" M3_PER_S / L_PER_MIN, "Slope of the pump's power there, over the pressure difference.", "implicit function";
-    DP_E: "dp_E" "Delta p_E" PA / MPA, "Pressure difference over the pump's edge at its greatest power.", "implicit function";
+    DP_E0: "dp_E0" "Delta p_(E,0)" PA / MPA, "Pressure difference over the pump's edge at its greatest power as a search has found it.", "derived";
+    P_E0: "P_E0" "P_(E,0)" W / KW, "Power of the pump at the pressure difference that a search has found.", "derived";
+    Q_E0: "Q_E0" "Q_(E,0)" M3_PER_S / L_PER_MIN, "Slope of the pump's power over the pressure difference, at the one that a search has found.", "derived";
+    DP_T: "dp_t" "Delta p_t" PA / MPA, "Pressure difference over the pump's edge at its greatest flow, were this turbulent.", "derived";
+    DP_E: "dp_E" "Delta p_E" PA / MPA, "Pressure difference over the pump's edge at its limit of flow or power.", "derived";
     P_S: "p_s" "p_s" PA / MPA, "Pressure of the pump as its limits leave it.", "continuity of flow";
     Z_SUCTION_A: "z.suction_A" "z_(\"ac\" A)" PA / MPA, "Falls below zero where the anti-cavitation valve of the bore opens.", "event";
     Z_SUCTION_B: "z.suction_B" "z_(\"ac\" B)" PA / MPA, "Falls below zero where the anti-cavitation valve of the annulus opens.", "event";
@@ -31,6 +36,7 @@ symbols! {
     Z_HOLD_B: "z.hold_B" "z_(\"lh\" B)" PA / MPA, "Falls below zero where the load-holding valve of the annulus opens.", "event";
     Z_OPEN_A: "z.open_A" "z_(\"lo\" A)" PA / MPA, "Falls below zero where the load-holding valve of the bore is fully open.", "event";
     Z_OPEN_B: "z.open_B" "z_(\"lo\" B)" PA / MPA, "Falls below zero where the load-holding valve of the annulus is fully open.", "event";
+    Z_UNDERLAP: "z.underlap" "z_T" ONE / ONE, "Falls below zero where the valve's spool shuts both ports off from the tank.", "event";
     Z_FLOW: "z.flow" "z_Q" M3_PER_S / L_PER_MIN, "Falls below zero where the pump's flow is at its limit.", "event";
     Z_POWER: "z.power" "z_P" W / KW, "Falls below zero where the pump's power is at its limit.", "event";
 

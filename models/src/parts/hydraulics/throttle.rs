@@ -15,22 +15,13 @@ pub fn root<C: Calc>(difference: C) -> C {
     difference.through(Root)
 }
 
-/// The pressure difference (Pa) of such a root, above zero: Δp² = (r⁴ + √(r⁸ + 4 Δp_l² r⁴))/2.
+/// The pressure difference (Pa) over an edge that passes what it would pass at `turbulent` (Pa, not negative), were its flow
+/// turbulent all along: Δp² = (Δp_t² + √(Δp_t⁴ + 4 Δp_l² Δp_t²))/2.
 #[inline]
-pub fn difference<C: Calc>(root: C) -> C {
-    root.through(Difference)
-}
-
-struct Difference;
-
-impl Function for Difference {
-    #[inline]
-    fn at<C: Calc>(&self, root: C) -> C {
-        let laminar = C::known(&DP_LAM, LAMINAR);
-        let fourth = root.square().square();
-        let inner = fourth.square() + C::constant(4.0) * laminar.square() * fourth;
-        (C::constant(0.5) * (fourth + inner.sqrt())).sqrt()
-    }
+pub fn difference<C: Calc>(turbulent: C) -> C {
+    let square = turbulent.square();
+    let inner = square.square() + C::constant(4.0) * C::known(&DP_LAM, LAMINAR).square() * square;
+    (C::constant(0.5) * (square + inner.sqrt())).sqrt()
 }
 
 struct Root;

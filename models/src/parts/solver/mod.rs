@@ -52,7 +52,7 @@ pub trait System<const N: usize> {
 }
 
 /// Most kinks that a system has.
-pub const MOST_KINKS: usize = 13;
+pub const MOST_KINKS: usize = 14;
 
 /// Why a solver stops: the states stay those of the last step that succeeded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
