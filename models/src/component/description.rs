@@ -47,6 +47,9 @@ pub trait Described: Clone + fmt::Debug + Send + Sync + Sized + 'static {
 
     const OUTLINE: &'static Outline;
 
+    /// Outputs that are followed over a cycle of commands, besides what other parts are designed for.
+    const FOLLOWED: &'static [&'static Symbol] = &[];
+
     const VOCABULARY: &'static Vocabulary;
 
     /// Reads a checked table under the acceleration of gravity (m/s²), with its working range; mistakes go to the list.

@@ -5,10 +5,11 @@ use crate::component::outline::Explained::{Rows, Stage};
 use crate::component::outline::{Greatest, Limit, Most, Outline, Purpose, chapters, joined};
 use crate::drive::outline as o;
 use crate::drive::symbols as d;
-use crate::kernel::symbol::listed;
+use crate::kernel::symbol::{Symbol, listed};
 use crate::luffing::double_link::moving::symbols as m;
 use crate::luffing::double_link::symbols as s;
 use crate::luffing::resistances::outline::{EXTREMES, LIMITS, SUMMARY, USES};
+use crate::parts::hydraulics::symbols as h;
 use crate::parts::turntable;
 
 /// What given quantities of its own are for that no formula has.
@@ -23,6 +24,9 @@ const OWN_USES: [Purpose; 9] = [
     ("friction", listed!(turntable: C_SL, M_F_SL)),
     ("stops", listed!(turntable: PSI_MIN, PSI_MAX)),
 ];
+
+/// Of the oil, over a cycle of commands.
+pub const FOLLOWED: &[&Symbol] = listed!(h: Q_ACA, Q_ACB, Y_LHA, Y_LHB, P_S);
 
 pub const OUTLINE: Outline = Outline {
     inputs: chapters! {

@@ -26,7 +26,7 @@ use crate::luffing::double_link::drawing::drawing;
 use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::keys::KEYS;
 use crate::luffing::double_link::moving;
-use crate::luffing::double_link::outline::OUTLINE;
+use crate::luffing::double_link::outline::{FOLLOWED, OUTLINE};
 use crate::luffing::double_link::parameters::{Choice, Driven, Jib};
 use crate::luffing::double_link::pin_forces::PinForces;
 use crate::luffing::double_link::position::Position;
@@ -71,6 +71,7 @@ impl Described for LuffingScene {
     const ID: &'static str = "luffing";
     const TABLE: &'static str = "luffing";
     const OUTLINE: &'static Outline = &OUTLINE;
+    const FOLLOWED: &'static [&'static Symbol] = FOLLOWED;
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "symbol",
         own: &[
