@@ -767,7 +767,7 @@ fn hydraulics(n: &mut Node, linkage: &Linkage, bore: f64, pressure: f64) {
 /// Each whole or absent, at a pressure of the pump and a flow of the valve.
 fn oil_parts(o: &mut Node, [supply, flow]: [f64; 2]) {
     let mut part = |low: f64, high: f64| o.draw.between(low, high);
-    let draws = [("p_ac", part(0.0, 9e4)), ("k_ac", flow / part(1e3, 1e5))];
+    let draws = [("p_ac", part(0.0, 9e4)), ("k_ac", (flow / part(1e3, 1e5)).min(0.5))];
     let holds = [
         ("p_lh", supply * part(0.1, 1.2)),
         ("i_lh", part(0.0, 10.0)),
