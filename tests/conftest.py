@@ -29,7 +29,7 @@ def typst(path):
         return number(digits) + (f' thin"{unit}"' if unit else f'"{degree}"' if degree else "")
 
     def equation(found):
-        return re.sub(r'"(\d[\d.,]*)(?:\u2006([^"]+)|(°[^"]*))?"', apart, found[0])
+        return re.sub(r'"(\d[\d.,]*)(?:\u2006([^"]+)|(°[^"]*))?"', apart, found[0]).replace('"slash', '" slash')
 
     return re.sub(r"\$[^$]+\$", equation, path.read_text(encoding="utf-8"))
 

@@ -242,16 +242,18 @@ def test_inputs_and_results(tmp_path):
 
 
 def test_the_ready_scene_holds_its_load_when_the_line_tears(tmp_path):
-    """It luffs in and abruptly out without cavitating, stays when the line of the bore tears, and is let down on its valve."""
+    """It luffs in and abruptly out without cavitating, stays when the line of the bore tears, and is let down on its valve, never
+    faster than the drive bears it."""
     lemnis("fmu", SCENE, "--output", tmp_path)
     for end in ENDS.values():
         result = simulate_fmu(str(tmp_path / f"LuffingCylinder{end}"), stop_time=48.0, output_interval=0.01,
-                              output=["theta_1", "y_b1", "cavitates", "Q_acB", "y_lhA", "p_s", "p_P"])
+                              output=["theta_1", "y_b1", "cavitates", "F_d", "p_s"])
         at = lambda time: float(np.interp(time, result["time"], result["theta_1"]))
-        assert not result["cavitates"].any() and result["Q_acB"].max() > 1e-4 and result["p_s"].min() < 0.5 * crane.SUPPLY
+        assert not result["cavitates"].any() and result["p_s"].min() < 0.5 * crane.SUPPLY
         assert at(20) > at(0) + 0.3 and at(24) < at(20) - 0.1
         # The oil swings on in its chambers.
         assert result["y_b1"][-1] == 1 and abs(at(36) - at(29)) < math.radians(0.1) and at(42) < at(36) - 0.05
+        assert result["F_d"][result["time"] > 36].min() > 0
 
 
 @pytest.mark.parametrize("language", ["en", "zh", "bg"])

@@ -25,6 +25,8 @@ fn write(node: &SyntaxNode, text: &mut String) {
             Some((quantity, nodes)) => {
                 *text += &format!("\"{quantity}\"");
                 done += nodes;
+                // A text keeps the space around it, and only a solidus does not set off itself.
+                done += usize::from(children.get(done + 1).is_some_and(|next| next.full_text() == "slash"));
             }
             None => {
                 write(child, text);
@@ -65,20 +67,7 @@ fn content(node: &SyntaxNode) -> Option<String> {
 /// Whether what stands beside a number is no factor of it: nothing, an operator, or an end.
 fn is_apart(node: Option<&&SyntaxNode>) -> bool {
     let ends = [SyntaxKind::Dollar, SyntaxKind::Linebreak, SyntaxKind::MathAlignPoint];
-    let signs = [
-        "=",
-        "+",
-        "-",
-        "dot",
-        "times",
-        "slash",
-        "<=",
-        ">=",
-        "plus.minus",
-        "(",
-        ",",
-        ")",
-    ];
+    let signs = ["=", "+", "-", "dot", "times", "<=", ">=", "plus.minus", "(", ",", ")"];
     node.is_none_or(|node| ends.contains(&node.kind()) || signs.contains(&node.full_text().as_str()))
 }
 
