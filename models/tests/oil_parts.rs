@@ -4,7 +4,8 @@
 use lemnis_models::component::model::Model;
 use lemnis_models::parts::hydraulics::anti_cavitation::AntiCavitation;
 use lemnis_models::parts::hydraulics::cylinder::{Cylinder, Oil};
-use lemnis_models::parts::hydraulics::load_holding::{HeldLines, LoadHolding};
+use lemnis_models::parts::hydraulics::load_holding::LoadHolding;
+use lemnis_models::parts::hydraulics::parts::OilParts;
 use lemnis_models::parts::hydraulics::pump::PumpLimits;
 use lemnis_models::parts::hydraulics::throttle::{difference, root};
 use lemnis_models::scene::Scene;
@@ -27,11 +28,16 @@ const LIMITS: PumpLimits<f64> = PumpLimits {
     p_pmax: 60e3,
 };
 
+const PARTS: OilParts = OilParts {
+    anti_cavitation: Some(DRAWS),
+    load_holding: Some(HOLDS),
+    pump: Some(LIMITS),
+};
+
 fn with_parts(torn: [f64; 2]) -> Cylinder {
     Cylinder {
-        anti_cavitation: Some(DRAWS),
-        held: Some(HeldLines { valves: HOLDS, torn }),
-        pump: Some(LIMITS),
+        parts: Some(PARTS),
+        torn,
         ..crane::cylinder()
     }
 }
@@ -59,7 +65,10 @@ fn a_chamber_that_grows_is_fed_from_the_tank() {
         assert!((drawn[0] / (cylinder.areas[0] * speed) - 1.0).abs() < 1e-12 && drawn[1] == 0.0);
         let rate = cylinder.rates(&state, 6.0, speed, 0.0, SUPPLY).chambers[0];
         let without = Cylinder {
-            anti_cavitation: None,
+            parts: Some(OilParts {
+                anti_cavitation: None,
+                ..PARTS
+            }),
             ..cylinder
         };
         let falls = without.rates(&state, 6.0, speed, 0.0, SUPPLY).chambers[0];
@@ -112,7 +121,7 @@ fn neither_flow_nor_power_of_the_pump_is_exceeded() {
     let (limited, free) = (
         with_parts([0.0; 2]),
         Cylinder {
-            pump: None,
+            parts: Some(OilParts { pump: None, ..PARTS }),
             ..with_parts([0.0; 2])
         },
     );
@@ -195,11 +204,11 @@ fn powers_are_balanced() {
     }
 }
 
-const PARTS: &str = "p_ac = \"0.2 bar\"\nk_ac = \"2e-7 m3/(s.Pa)\"\np_lh = \"180 bar\"\ni_lh = \"4\"\ndp_lh = \"30 bar\"\nx_T = \"0.1\"\n\
+const KEYS: &str = "p_ac = \"0.2 bar\"\nk_ac = \"2e-7 m3/(s.Pa)\"\np_lh = \"180 bar\"\ni_lh = \"4\"\ndp_lh = \"30 bar\"\nx_T = \"0.1\"\n\
                      y_b1 = \"0.4\"\ny_b2 = \"0.1\"\nQ_Pmax = \"300 L/min\"\nP_Pmax = \"60 kW\"\n";
 
 fn model(level: &str) -> Model {
-    let text = levels::text(level).replace("[luffing.hydraulics]\n", &format!("[luffing.hydraulics]\n{PARTS}"));
+    let text = levels::text(level).replace("[luffing.hydraulics]\n", &format!("[luffing.hydraulics]\n{KEYS}"));
     let scene = Scene::parse(&text).unwrap_or_else(|mistakes| panic!("{mistakes:?}"));
     scene.model().expect("built")
 }
@@ -305,7 +314,7 @@ fn parts_are_whole_or_absent() {
         model("hydraulic").indicators(),
         levels::model("hydraulic").indicators() + 9
     );
-    for line in PARTS.lines() {
+    for line in KEYS.lines() {
         let lone = line.split(' ').next().expect("a key");
         let text =
             levels::text("hydraulic").replace("[luffing.hydraulics]\n", &format!("[luffing.hydraulics]\n{line}\n"));

@@ -179,9 +179,8 @@ pub fn cylinder() -> Cylinder {
             frequency: 300.0,
             damping: 0.7,
         },
-        anti_cavitation: None,
-        held: None,
-        pump: None,
+        parts: None,
+        torn: [0.0; 2],
     }
 }
 

@@ -458,11 +458,8 @@ impl<const N: usize> Hydraulic<N> {
             return None;
         }
         // Load-holding valves keep the oil from the ports, which the valve's middle relieves.
-        let ports = if self.cylinder.held.is_some() {
-            [0.0; 2]
-        } else {
-            [push, back]
-        };
+        let held = self.cylinder.parts.is_some_and(|parts| parts.load_holding.is_some());
+        let ports = if held { [0.0; 2] } else { [push, back] };
         y[2..6].copy_from_slice(&[ports[0], ports[1], push, back]);
         Some(y)
     }
@@ -551,7 +548,10 @@ impl<const N: usize> Piece<'_, N> {
     #[inline]
     fn part_kinks(&self, y: &[f64; N]) -> [f64; PART_MARGINS] {
         let cylinder = &self.crane.cylinder;
-        let [flow, power] = cylinder.pump.map_or([1.0; 2], |pump| [pump.q_pmax, pump.p_pmax]);
+        let [flow, power] = cylinder
+            .parts
+            .and_then(|parts| parts.pump)
+            .map_or([1.0; 2], |pump| [pump.q_pmax, pump.p_pmax]);
         let scale = |i: usize| match i {
             UNDERLAP_MARGIN => GAP,
             FLOW_MARGIN => flow * CRACK,

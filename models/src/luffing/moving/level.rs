@@ -201,9 +201,7 @@ impl<P: Calc> Level<P> {
         either!(&mut told, crane => crane.dynamics.put_wind(inputs.wind), system => {
             system.put_wind(inputs.wind);
             (system.command, system.supply) = (inputs.valve, inputs.supply);
-            if let Some(held) = &mut system.cylinder.held {
-                held.torn = inputs.torn;
-            }
+            system.cylinder.torn = inputs.torn;
             (system.hoist, system.slewing) = (inputs.hoist, inputs.drives[1]);
         });
         Some(told)

@@ -4,10 +4,10 @@
 
 use crate::kernel::calc::{Calc, Over};
 use crate::kernel::symbol::Symbol;
-use crate::parts::hydraulics::anti_cavitation::AntiCavitation;
-use crate::parts::hydraulics::load_holding::{HeldLines, checked};
+use crate::parts::hydraulics::load_holding::checked;
 use crate::parts::hydraulics::oil::{VACUUM, pressure_rate};
-use crate::parts::hydraulics::pump::{PumpDemand, PumpLimits};
+use crate::parts::hydraulics::parts::OilParts;
+use crate::parts::hydraulics::pump::PumpDemand;
 use crate::parts::hydraulics::symbols as s;
 use crate::parts::hydraulics::throttle::{relief, root};
 use crate::parts::hydraulics::valve::Valve;
@@ -43,9 +43,9 @@ pub struct Cylinder<P = f64> {
     /// Opening pressure of the relief valves (Pa), and their flow over the excess, in m³/(s·Pa).
     pub relief: [P; 2],
     pub valve: Valve<P>,
-    pub anti_cavitation: Option<AntiCavitation<P>>,
-    pub held: Option<HeldLines<P>>,
-    pub pump: Option<PumpLimits<P>>,
+    pub parts: Option<OilParts<P>>,
+    /// Parts of the lines, in [0, 1], that are torn open between the valve's ports and the load-holding valves.
+    pub torn: [P; 2],
 }
 
 /// Oil and spool of one cylinder.
@@ -61,7 +61,7 @@ pub struct Oil<C> {
 
 impl<C: Calc> Oil<C> {
     /// The port with which the valve connects the pump.
-    #[inline]
+    #[inline(always)]
     fn fed(&self) -> usize {
         usize::from(self.spool.value() < 0.0)
     }
@@ -132,7 +132,7 @@ pub struct Flows<C> {
 
 impl<C: Calc> Flows<C> {
     /// What is left of them in a port.
-    #[inline]
+    #[inline(always)]
     fn gains(&self, i: usize) -> C {
         let left = self.valve[i] - self.line[i] - self.relief[i];
         let lost = self.torn.zip(self.relieved);
@@ -166,43 +166,66 @@ impl<P: Calc> Cylinder<P> {
 
     #[inline]
     pub fn flows<C: Over<P>>(&self, oil: &Oil<C>, supply: P) -> Flows<C> {
-        let relief = |i: usize| relief(oil.ports[i], self.relief[0], self.relief[1]);
+        self.flows_by(self.parts.as_ref(), oil, supply)
+    }
+
+    /// The same with these parts.
+    #[inline(always)]
+    fn flows_by<C: Over<P>>(&self, parts: Option<&OilParts<P>>, oil: &Oil<C>, supply: P) -> Flows<C> {
         let mut valve = self.valve.flows(oil.spool, supply, oil.ports);
         let mut pressure = C::of(supply);
-        if let Some(pump) = &self.pump {
+        if let Some(pump) = parts.and_then(|parts| parts.pump.as_ref()) {
             let asked = self.asked(oil, valve, pressure);
             let [flow, falls] = pump.delivered(&asked);
             (valve[oil.fed()], pressure) = (flow, falls.def(&s::P_S));
         }
         let [a, b] = [valve[0].def(&s::Q_1), valve[1].def(&s::Q_2)];
-        let openings = self.held.as_ref().map(|held| {
-            let opening = |i: usize| held.valves.opening(oil.chambers[i], oil.ports[1 - i]);
+        let holding = parts.and_then(|parts| parts.load_holding.as_ref());
+        let openings = holding.map(|valves| {
+            let opening = |i: usize| valves.opening(oil.chambers[i], oil.ports[1 - i]);
             [opening(0).def(&s::Y_LHA), opening(1).def(&s::Y_LHB)]
         });
-        let line = |i: usize| {
-            let free = root(oil.ports[i] - oil.chambers[i]).times(self.line);
-            openings.map_or(free, |openings| checked(free, openings[i]))
-        };
-        let torn = |held: &HeldLines<P>, i: usize| root(oil.ports[i]).times(self.line).times(held.torn[i]);
+        let free = [self.free_line(oil, 0), self.free_line(oil, 1)];
+        let line = openings.map_or(free, |[a, b]| [checked(free[0], a), checked(free[1], b)]);
+        let torn = |i: usize| root(oil.ports[i]).times(self.line).times(self.torn[i]);
+        let suction = parts.and_then(|parts| parts.anti_cavitation.as_ref());
         Flows {
             valve: [a, b],
-            pump: [a, b][oil.fed()].def(&s::Q_0),
+            pump: if oil.fed() == 0 { a } else { b }.def(&s::Q_0),
             supply: pressure,
-            line: [line(0).def(&s::Q_LA), line(1).def(&s::Q_LB)],
+            line: [line[0].def(&s::Q_LA), line[1].def(&s::Q_LB)],
             openings,
-            drawn: (self.anti_cavitation.as_ref()).map(|valves| {
+            drawn: suction.map(|valves| {
                 let [bore, annulus] = oil.chambers.map(|chamber| valves.flow(chamber));
                 [bore.def(&s::Q_ACA), annulus.def(&s::Q_ACB)]
             }),
-            torn: (self.held.as_ref()).map(|held| [torn(held, 0).def(&s::Q_B1), torn(held, 1).def(&s::Q_B2)]),
-            relieved: (self.held.as_ref()).map(|held| {
-                let edge = held.valves.relieves(oil.spool).times(self.valve.conductance);
+            torn: holding.map(|_| [torn(0).def(&s::Q_B1), torn(1).def(&s::Q_B2)]),
+            relieved: holding.map(|valves| {
+                let edge = valves.relieves(oil.spool).times(self.valve.conductance);
                 let [a, b] = oil.ports.map(|port| edge * root(port));
                 [a.def(&s::Q_T1), b.def(&s::Q_T2)]
             }),
-            relief: [relief(0).def(&s::Q_R1), relief(1).def(&s::Q_R2)],
+            relief: [self.relieves(oil, 0).def(&s::Q_R1), self.relieves(oil, 1).def(&s::Q_R2)],
             leakage: (oil.chambers[0] - oil.chambers[1]).times(self.leakage).def(&s::Q_LEAK),
         }
+    }
+
+    /// What a line would pass into its chamber without a valve of its own, in m³/s.
+    #[inline(always)]
+    fn free_line<C: Over<P>>(&self, oil: &Oil<C>, i: usize) -> C {
+        root(oil.ports[i] - oil.chambers[i]).times(self.line)
+    }
+
+    /// Flow through the relief valve of a port, in m³/s.
+    #[inline(always)]
+    fn relieves<C: Over<P>>(&self, oil: &Oil<C>, i: usize) -> C {
+        relief(oil.ports[i], self.relief[0], self.relief[1])
+    }
+
+    /// Rate of the pressure of a port, in Pa/s, by the flow (m³/s) that is left in it.
+    #[inline(always)]
+    fn port_rate<C: Over<P>>(&self, left: C) -> C {
+        left.times(self.bulk_modulus) / C::of(self.port_volume)
     }
 
     /// What the pump is asked for while the valve passes flows (m³/s) at its full pressure (Pa).
@@ -223,17 +246,19 @@ impl<P: Calc> Cylinder<P> {
     /// (m³/s) and power (W).
     #[inline]
     pub fn margins<C: Over<P>>(&self, oil: &Oil<C>, supply: P) -> [Option<C>; PART_MARGINS] {
-        let suction = self
+        let Some(parts) = &self.parts else {
+            return [None; PART_MARGINS];
+        };
+        let suction = parts
             .anti_cavitation
-            .as_ref()
             .map(|valves| oil.chambers.map(|p| valves.margin(p)));
-        let held = self.held.as_ref().map(|held| {
-            let left = |i: usize, full: C| full - held.valves.excess(oil.chambers[i], oil.ports[1 - i]);
-            let (none, full) = (C::constant(0.0), C::of(held.valves.dp_lh));
-            let underlap = held.valves.underlap(oil.spool);
+        let held = parts.load_holding.map(|valves| {
+            let left = |i: usize, full: C| full - valves.excess(oil.chambers[i], oil.ports[1 - i]);
+            let (none, full) = (C::constant(0.0), C::of(valves.dp_lh));
+            let underlap = valves.underlap(oil.spool);
             [left(0, none), left(1, none), left(0, full), left(1, full), underlap]
         });
-        let pump = self.pump.as_ref().map(|pump| {
+        let pump = parts.pump.map(|pump| {
             let valve = self.valve.flows(oil.spool, supply, oil.ports);
             pump.margins(&self.asked(oil, valve, C::of(supply)))
         });
@@ -258,19 +283,39 @@ impl<P: Calc> Cylinder<P> {
     /// `command` in [−1, 1], `supply` in Pa.
     #[inline]
     pub fn rates<C: Over<P>>(&self, oil: &Oil<C>, length: C, speed: C, command: P, supply: P) -> Oil<C> {
-        let f = self.flows(oil, supply);
+        match &self.parts {
+            None => self.rates_by(None, oil, [length, speed], command, supply),
+            Some(parts) => self.rates_with(parts, oil, [length, speed], command, supply),
+        }
+    }
+
+    /// With parts. By itself, so that a cylinder without any is none the larger for them, nor the slower.
+    #[inline(never)]
+    fn rates_with<C: Over<P>>(&self, parts: &OilParts<P>, oil: &Oil<C>, at: [C; 2], command: P, supply: P) -> Oil<C> {
+        self.rates_by(Some(parts), oil, at, command, supply)
+    }
+
+    #[inline(always)]
+    fn rates_by<C: Over<P>>(
+        &self,
+        parts: Option<&OilParts<P>>,
+        oil: &Oil<C>,
+        [length, speed]: [C; 2],
+        command: P,
+        supply: P,
+    ) -> Oil<C> {
+        let f = self.flows_by(parts, oil, supply);
         let volumes = self.volumes(length);
-        let modulus = self.bulk_modulus;
-        let port = |i: usize| f.gains(i).times(modulus) / C::of(self.port_volume);
-        let chamber = |i: usize, flow: C, growth: C| {
-            let flow = f.drawn.map_or(flow, |drawn| flow + drawn[i]);
-            pressure_rate(modulus, volumes[i], flow, growth)
-        };
+        let mut into = [f.line[0] - f.leakage, f.line[1] + f.leakage];
+        if let Some([bore, annulus]) = f.drawn {
+            into = [into[0] + bore, into[1] + annulus];
+        }
+        let growths = [speed.times(self.areas[0]), speed.times(-self.areas[1])];
         Oil {
-            ports: [port(0), port(1)],
+            ports: [self.port_rate(f.gains(0)), self.port_rate(f.gains(1))],
             chambers: [
-                chamber(0, f.line[0] - f.leakage, speed.times(self.areas[0])),
-                chamber(1, f.line[1] + f.leakage, speed.times(-self.areas[1])),
+                pressure_rate(self.bulk_modulus, volumes[0], into[0], growths[0]),
+                pressure_rate(self.bulk_modulus, volumes[1], into[1], growths[1]),
             ],
             spool: oil.spool_speed,
             spool_speed: self.valve.acceleration(oil.spool, oil.spool_speed, command),

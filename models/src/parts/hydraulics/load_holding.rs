@@ -43,14 +43,6 @@ impl<P: Calc> LoadHolding<P> {
     }
 }
 
-/// The same in the lines of a cylinder, with the part of each that is torn open between the valve's port and it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct HeldLines<P> {
-    pub valves: LoadHolding<P>,
-    /// In [0, 1].
-    pub torn: [P; 2],
-}
-
 /// What a line passes of the flow (m³/s, positive into the chamber) that it would pass without its valve.
 #[inline]
 pub fn checked<C: Calc>(free: C, opening: C) -> C {

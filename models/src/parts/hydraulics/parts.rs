@@ -11,7 +11,7 @@ use crate::parts::hydraulics::load_holding::LoadHolding;
 use crate::parts::hydraulics::pump::PumpLimits;
 use crate::parts::hydraulics::symbols as s;
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OilParts<C = f64> {
     pub anti_cavitation: Option<AntiCavitation<C>>,
     pub load_holding: Option<LoadHolding<C>>,

@@ -26,7 +26,7 @@ impl<P: Calc> Valve<P> {
 
     /// Flows (m³/s) from the valve into the ports A and B, with the spool at `x` in [−1, 1] of its
     /// stroke: positive connects A with the pump and B with the tank.
-    #[inline]
+    #[inline(always)]
     pub fn flows<C: Over<P>>(&self, x: C, supply: P, ports: [C; 2]) -> [C; 2] {
         let opening = self.opening(x).def(&Y_V).times(self.conductance);
         let pump = |p: C| opening * root(C::of(supply) - p);

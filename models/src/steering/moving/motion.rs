@@ -62,9 +62,8 @@ pub fn working<C: Calc>(
             frequency: moving.omega_v,
             damping: moving.zeta_v,
         },
-        anti_cavitation: None,
-        held: None,
-        pump: None,
+        parts: None,
+        torn: [C::constant(0.0); 2],
     };
     let against = |i: usize| match drags.map(|drags| resistance(&drags[i])) {
         None => C::constant(0.0),

@@ -22,7 +22,6 @@ use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::level::Level;
 use crate::parts::air::AirAround;
 use crate::parts::hydraulics::cylinder::Cylinder;
-use crate::parts::hydraulics::load_holding::HeldLines;
 use crate::parts::hydraulics::parts::OilParts;
 use crate::parts::hydraulics::valve::Valve;
 use crate::parts::motion::Motion;
@@ -147,10 +146,6 @@ where
 
 /// Its lines whole.
 fn cylinder<P: Calc>(oil: &CylinderOil<P>, bore: &Bore<P>, parts: Option<OilParts<P>>) -> Cylinder<P> {
-    let held = |valves| HeldLines {
-        valves,
-        torn: [P::constant(0.0); 2],
-    };
     Cylinder {
         areas: Cylinder::areas(bore.d_c, bore.d_r),
         lengths: [oil.l_min, oil.l_max],
@@ -166,8 +161,7 @@ fn cylinder<P: Calc>(oil: &CylinderOil<P>, bore: &Bore<P>, parts: Option<OilPart
             frequency: oil.omega_v,
             damping: oil.zeta_v,
         },
-        anti_cavitation: parts.and_then(|parts| parts.anti_cavitation),
-        held: parts.and_then(|parts| parts.load_holding).map(held),
-        pump: parts.and_then(|parts| parts.pump),
+        parts,
+        torn: [P::constant(0.0); 2],
     }
 }
