@@ -23,7 +23,8 @@ BAR, LITRE = 1e5, 1e-3 / 60
 ANTI_CAVITATION = {"p_ac": 0.2 * BAR, "k_ac": 2e-7}
 LOAD_HOLDING = {"p_lh": 180 * BAR, "i_lh": 4.0, "dp_lh": 30 * BAR, "x_T": 0.05}
 PUMP = {"Q_Pmax": 300 * LITRE, "P_Pmax": 60e3}
-UNITS = {"p_ac": "Pa", "k_ac": "m3/(s.Pa)", "p_lh": "Pa", "i_lh": "1", "dp_lh": "Pa", "x_T": "1", "Q_Pmax": "m3/s", "P_Pmax": "W"}
+TANK = {"p_tank": 3 * BAR}
+UNITS = {"p_ac": "Pa", "k_ac": "m3/(s.Pa)", "p_lh": "Pa", "i_lh": "1", "dp_lh": "Pa", "x_T": "1", "Q_Pmax": "m3/s", "P_Pmax": "W", "p_tank": "Pa"}
 STATES = ("theta_1", "omega_1", "p_1", "p_2", "p_A", "p_B", "x_v", "v_v")
 # What states are measured by.
 SIZES = np.array([1.0, 0.1, 100 * BAR, 100 * BAR, 100 * BAR, 100 * BAR, 1.0, 100.0])
@@ -77,21 +78,22 @@ def rates(y, command, load, torn, parts):
     theta, w, p1, p2, pa, pb, x, v = y
     inertia, slope, moment, length, arm = crane.mechanism(theta, load)
     edge = crane.VALVE * abs(x)
+    tank = parts.get("tank", {"p_tank": 0.0})["p_tank"]
     if x >= 0:
-        q1, q2 = pumped(edge, p1, parts.get("pump"))[0], -edge * crane.root(p2)
+        q1, q2 = pumped(edge, p1 - tank, parts.get("pump"))[0], -edge * crane.root(p2 - tank)
     else:
-        q1, q2 = -edge * crane.root(p1), pumped(edge, p2, parts.get("pump"))[0]
+        q1, q2 = -edge * crane.root(p1 - tank), pumped(edge, p2 - tank, parts.get("pump"))[0]
     l1, l2 = crane.LINE * crane.root(p1 - pa), crane.LINE * crane.root(p2 - pb)
     r1, r2 = (max(0.0, p - crane.OPENING) * crane.SLOPE for p in (p1, p2))
     drawn = [0.0, 0.0]
     if valves := parts.get("anti_cavitation"):
-        drawn = [valves["k_ac"] * max(0.0, -valves["p_ac"] - p) for p in (pa, pb)]
+        drawn = [valves["k_ac"] * max(0.0, tank - valves["p_ac"] - p) for p in (pa, pb)]
     if valves := parts.get("load_holding"):
         opens = lambda own, pilot: min(1.0, max(0.0, (own + valves["i_lh"] * pilot - valves["p_lh"]) / valves["dp_lh"]))
         l1 *= opens(pa, p2) if l1 < 0 else 1.0
         l2 *= opens(pb, p1) if l2 < 0 else 1.0
         relieves = crane.VALVE * max(0.0, valves["x_T"] - abs(x))
-        r1, r2 = (r + (tear * crane.LINE + relieves) * crane.root(p) for r, tear, p in zip((r1, r2), torn, (p1, p2)))
+        r1, r2 = (r + tear * crane.LINE * crane.root(p) + relieves * crane.root(p - tank) for r, tear, p in zip((r1, r2), torn, (p1, p2)))
     leak = crane.LEAK * (pa - pb)
     speed = arm * w
     va, vb = crane.DEAD + crane.A_A * (length - crane.SHORT), crane.DEAD + crane.A_B * (crane.LONG - length)
@@ -137,6 +139,7 @@ RUNS = {
     "load_holding": (TORN, 3.0, {"load_holding": LOAD_HOLDING}),
     "pump": (FAST, 3.0, {"pump": PUMP}),
     "all": (FIELD, 4.0, {"anti_cavitation": ANTI_CAVITATION, "load_holding": LOAD_HOLDING, "pump": PUMP}),
+    "tank": (TORN, 3.0, {"anti_cavitation": ANTI_CAVITATION, "load_holding": LOAD_HOLDING, "tank": TANK}),
 }
 
 

@@ -7,6 +7,7 @@ use lemnis_models::parts::hydraulics::cylinder::{Cylinder, Oil};
 use lemnis_models::parts::hydraulics::load_holding::LoadHolding;
 use lemnis_models::parts::hydraulics::parts::OilParts;
 use lemnis_models::parts::hydraulics::pump::PumpLimits;
+use lemnis_models::parts::hydraulics::tank::Tank;
 use lemnis_models::parts::hydraulics::throttle::{difference, root};
 use lemnis_models::scene::Scene;
 
@@ -32,7 +33,9 @@ const PARTS: OilParts = OilParts {
     anti_cavitation: Some(DRAWS),
     load_holding: Some(HOLDS),
     pump: Some(LIMITS),
+    tank: None,
 };
+const TANK: Tank<f64> = Tank { p_tank: 3e5 };
 
 fn with_parts(torn: [f64; 2]) -> Cylinder {
     Cylinder {
@@ -106,6 +109,50 @@ fn the_load_is_held_until_the_pilot_opens() {
     assert_eq!(above.openings, Some([1.0, 0.0]));
     let inward = cylinder.flows(&oil([90e5, 0.0], [60e5, 0.0], 0.0), SUPPLY).line[0];
     assert_eq!(inward, root(30e5) * cylinder.line);
+}
+
+fn on_tank(cylinder: Cylinder) -> Cylinder {
+    let parts = cylinder.parts.map(|parts| OilParts {
+        tank: Some(TANK),
+        ..parts
+    });
+    Cylinder { parts, ..cylinder }
+}
+
+/// Valve, pump and anti-cavitation valves feel pressures above that of the tank: with all of them as much higher they pass the
+/// same. What is open to the atmosphere does not: torn lines, relief valves, the springs of the load-holding valves.
+#[test]
+fn the_tank_may_be_under_pressure() {
+    let (open, under) = (with_parts([0.3, 0.7]), on_tank(with_parts([0.3, 0.7])));
+    let state = |more: f64| oil([120e5 + more, 10e5 + more], [100e5 + more, -1e5 + more], 0.04);
+    let (wanted, found) = (
+        open.flows(&state(0.0), SUPPLY),
+        under.flows(&state(TANK.p_tank), SUPPLY),
+    );
+    let pairs = [(wanted.valve, found.valve), (wanted.line, found.line)].into_iter();
+    let pairs = pairs
+        .chain(wanted.drawn.zip(found.drawn))
+        .chain(wanted.relieved.zip(found.relieved));
+    for ([a, b], [c, d]) in pairs {
+        assert!(
+            (a - c).abs() <= 1e-12 * a.abs() && (b - d).abs() <= 1e-12 * b.abs(),
+            "{a} {c}, {b} {d}"
+        );
+    }
+    assert!((wanted.supply - found.supply).abs() < 1e-9 * SUPPLY && wanted.drawn.is_some_and(|drawn| drawn[1] > 0.0));
+    let torn = found.torn.expect("there");
+    assert_eq!(torn[0], root(120e5 + TANK.p_tank) * under.line * 0.3);
+    let high = oil([open.relief[0] + 1e5; 2], [50e5; 2], 0.0);
+    assert_eq!(under.flows(&high, SUPPLY).relief, open.flows(&high, SUPPLY).relief);
+    assert_eq!(under.flows(&high, SUPPLY).openings, open.flows(&high, SUPPLY).openings);
+    // A chamber that grows is fed at the tank's pressure less what opens the valve, and what its flow takes.
+    let speed = 0.15;
+    let pressure = TANK.p_tank - DRAWS.p_ac - under.areas[0] * speed / DRAWS.k_ac;
+    let drawn = under
+        .flows(&oil([pressure, 50e5], [pressure, 50e5], 0.0), SUPPLY)
+        .drawn
+        .expect("there");
+    assert!((drawn[0] / (under.areas[0] * speed) - 1.0).abs() < 1e-12 && drawn[1] == 0.0);
 }
 
 /// The real root of q³ + a q = b for a above zero, by Cardano.
@@ -186,29 +233,37 @@ fn neither_flow_nor_power_of_the_pump_is_exceeded() {
 /// What the pump gives is the rod's, stored in the oil, or lost at edges, lines, valves and tears.
 #[test]
 fn powers_are_balanced() {
-    let cylinder = with_parts([0.3, 0.7]);
+    let open = with_parts([0.3, 0.7]);
     let states = [
         oil([120e5, 30e5], [100e5, 20e5], 0.8),
         oil([20e5, 160e5], [150e5, 170e5], -0.9),
         oil([-5e4, 60e5], [-9e4, 55e5], -0.2),
         oil([0.0, 200e5], [150e5, -6e4], 0.01),
     ];
-    for state in states {
+    for (state, cylinder) in states
+        .into_iter()
+        .flat_map(|state| [(state, open), (state, on_tank(open))])
+    {
         for speed in [-0.1, 0.04] {
             let [pump, throttles, compression] = cylinder.powers(&state, speed, SUPPLY);
             let rod = cylinder.force(&state) * speed;
             let size = [pump, throttles, compression, rod].iter().map(|x| x.abs()).sum::<f64>();
             assert!((pump - throttles - compression - rod).abs() < 1e-12 * size);
-            assert!(throttles >= 0.0);
+            // Of an open tank: one under pressure gives some of its own.
+            assert!(throttles >= 0.0 || cylinder != open);
         }
     }
 }
 
 const KEYS: &str = "p_ac = \"0.2 bar\"\nk_ac = \"2e-7 m3/(s.Pa)\"\np_lh = \"180 bar\"\ni_lh = \"4\"\ndp_lh = \"30 bar\"\nx_T = \"0.1\"\n\
                      y_b1 = \"0.4\"\ny_b2 = \"0.1\"\nQ_Pmax = \"300 L/min\"\nP_Pmax = \"60 kW\"\n";
+const TANK_KEY: &str = "p_tank = \"3 bar\"\n";
 
 fn model(level: &str) -> Model {
-    let text = levels::text(level).replace("[luffing.hydraulics]\n", &format!("[luffing.hydraulics]\n{KEYS}"));
+    let text = levels::text(level).replace(
+        "[luffing.hydraulics]\n",
+        &format!("[luffing.hydraulics]\n{KEYS}{TANK_KEY}"),
+    );
     let scene = Scene::parse(&text).unwrap_or_else(|mistakes| panic!("{mistakes:?}"));
     scene.model().expect("built")
 }
@@ -246,7 +301,7 @@ fn derivatives_are_exact() {
     ];
     let knowns = [
         "p_1", "p_2", "p_A", "p_B", "x_v", "p_P", "y_b1", "y_b2", "p_ac", "k_ac", "p_lh", "i_lh", "dp_lh", "Q_Pmax",
-        "P_Pmax", "Q_N", "dp_N", "dp_L",
+        "P_Pmax", "p_tank", "Q_N", "dp_N", "dp_L",
     ];
     // Valve of the bore partly open and annulus drawing, the pump at its flow; the other way round, at its power; at neither.
     let cases = [
@@ -307,6 +362,7 @@ fn parts_are_whole_or_absent() {
         "Q_Pmax",
         "p_s",
         "z.flow",
+        "p_tank",
     ] {
         assert!(!without.contains(&id), "{id}");
     }

@@ -781,11 +781,14 @@ fn oil_parts(o: &mut Node, [supply, flow]: [f64; 2]) {
     ];
     let there = [0; 3].map(|_| o.draw.coin(0.5));
     let tears = there[1] && o.draw.coin(0.5);
+    let tank = [("p_tank", o.draw.decades(3, 6))];
+    let pressed = o.draw.coin(0.3);
     for (parts, there) in [
         (&draws[..], there[0]),
         (&holds, there[1]),
         (&torn, tears),
         (&limits, there[2]),
+        (&tank, pressed),
     ] {
         for (name, value) in parts {
             if there {

@@ -30,7 +30,8 @@ pub fn check(
     } else {
         format!("in [{path}]")
     };
-    let mut entries: Vec<(&'static str, Value, Range<usize>)> = Vec::new();
+    let mut values = Values::default();
+    (values.keys, values.span) = (keys, span.clone());
     for (name, value) in table {
         let Some(key) = keys.iter().find(|key| key.name == name.get_ref().as_ref()) else {
             found.push(unknown(name, &place, keys));
@@ -42,8 +43,10 @@ pub fn check(
             format!("{path}.{}", key.name)
         };
         if let Some(checked) = check_value(source, value, &full, key, found) {
-            let at = entries.partition_point(|(before, ..)| *before < key.name);
-            entries.insert(at, (key.name, checked, value.span()));
+            let at = values.entries.partition_point(|(before, ..)| *before < key.name);
+            values.entries.insert(at, (key.name, checked, value.span()));
+        } else {
+            values.unsound.push(key.name);
         }
     }
     for key in keys.iter().filter(|key| key.required) {
@@ -51,12 +54,7 @@ pub fn check(
             found.push(missing(span.clone(), &place, key).fix(added(source, &span, path, key)));
         }
     }
-    Values {
-        entries,
-        keys,
-        span,
-        beside: false,
-    }
+    values
 }
 
 /// A key that is needed in a table and not there; `place` as "in [luffing]".

@@ -245,6 +245,8 @@ pub struct GivenNumber {
 pub struct Values {
     /// In the order of their names.
     pub(super) entries: Vec<(&'static str, Value, Range<usize>)>,
+    /// Keys that are there with a value that is none of theirs.
+    pub unsound: Vec<&'static str>,
     /// Against which it was checked.
     pub(super) keys: &'static [Key],
     /// Place of the table itself.

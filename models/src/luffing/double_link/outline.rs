@@ -13,7 +13,7 @@ use crate::parts::hydraulics::symbols as h;
 use crate::parts::turntable;
 
 /// What given quantities of its own are for that no formula has.
-const OWN_USES: [Purpose; 9] = [
+const OWN_USES: [Purpose; 10] = [
     ("annulus", &[&d::D_R]),
     ("start", &[&m::L_R, &m::PHI_R, &turntable::CHI_R]),
     ("hoist", &[&m::V_H, &m::A_H]),
@@ -21,6 +21,7 @@ const OWN_USES: [Purpose; 9] = [
     ("anti_cavitation", listed!(m: P_AC, K_AC)),
     ("load_holding", listed!(m: P_LH, I_LH, DP_LH, X_T)),
     ("pump_limits", listed!(m: P_P, Q_PMAX, P_PMAX)),
+    ("tank", &[&m::P_TANK]),
     ("friction", listed!(turntable: C_SL, M_F_SL)),
     ("stops", listed!(turntable: PSI_MIN, PSI_MAX)),
 ];
@@ -106,7 +107,7 @@ pub const OUTLINE: Outline = Outline {
         ],
         LIMITS,
     ),
-    uses: &joined::<Purpose, 9, 2, 11>(OWN_USES, USES),
+    uses: &joined::<Purpose, 10, 2, 12>(OWN_USES, USES),
     forces: &[
         &s::F_O1X,
         &s::F_O1Y,

@@ -356,6 +356,7 @@ impl Described for LuffingScene {
                 ),
                 given(parts.is_some_and(|parts| parts.load_holding.is_some()), "load_holding"),
                 given(parts.is_some_and(|parts| parts.pump.is_some()), "pump_limits"),
+                given(parts.is_some_and(|parts| parts.tank.is_some()), "tank"),
                 Some(if oil { "creep" } else { "sticking" }),
                 Some(if oil { "buffer" } else { "stops" }),
                 Some("forces_in_motion"),

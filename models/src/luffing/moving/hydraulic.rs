@@ -458,8 +458,11 @@ impl<const N: usize> Hydraulic<N> {
             return None;
         }
         // Load-holding valves keep the oil from the ports, which the valve's middle relieves.
-        let held = self.cylinder.parts.is_some_and(|parts| parts.load_holding.is_some());
-        let ports = if held { [0.0; 2] } else { [push, back] };
+        let parts = self.cylinder.parts;
+        let ports = match parts.and_then(|parts| parts.load_holding) {
+            Some(_) => [parts.and_then(|parts| parts.tank).map_or(0.0, |tank| tank.p_tank); 2],
+            None => [push, back],
+        };
         y[2..6].copy_from_slice(&[ports[0], ports[1], push, back]);
         Some(y)
     }

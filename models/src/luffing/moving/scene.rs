@@ -53,7 +53,8 @@ pub static OIL_KEYS: &[Key] = keys! { s:
     L_MIN > 0, L_MAX > 0, V_0 > 0, V_1 > 0, Q_N > 0, DP_N > 0, DP_L > 0, BETA_E > 0, P_R > 0, K_R >= 0, K_L >= 0,
     OMEGA_V > 0, ZETA_V >= 0, TOL [tolerance, optional], P_P >= 0 [in_steps], U_V [in_steps, optional],
     P_AC >= 0 [optional], K_AC > 0 [optional], P_LH > 0 [optional], I_LH >= 0 [optional], DP_LH > 0 [optional], X_T >= 0 [optional],
-    Y_B1 >= 0 [in_steps, optional], Y_B2 >= 0 [in_steps, optional], Q_PMAX > 0 [optional], P_PMAX > 0 [optional]
+    Y_B1 >= 0 [in_steps, optional], Y_B2 >= 0 [in_steps, optional], Q_PMAX > 0 [optional], P_PMAX > 0 [optional],
+    P_TANK >= 0 [optional]
 };
 
 /// A crane that slews, at the start.

@@ -11,7 +11,7 @@ pub use crate::parts::hanging::{
     MASS_E, N_X, N_Y, N_Z, PHI_R, R_QX, S_Q, S_R, U_X, U_Y, V_E, V_QX, V_QY, V_QZ, W_X, W_Y, W_Z, X_Q, Y_Q, Z_Q,
     Z_ROPE,
 };
-pub use crate::parts::hydraulics::symbols::{DP_LH, I_LH, K_AC, P_AC, P_LH, P_PMAX, Q_PMAX, X_T, Y_B1, Y_B2};
+pub use crate::parts::hydraulics::symbols::{DP_LH, I_LH, K_AC, P_AC, P_LH, P_PMAX, P_TANK, Q_PMAX, X_T, Y_B1, Y_B2};
 pub use crate::parts::turntable::{
     C_SL, CHI_R, D_OMEGA_SL, D_PSI_SL, J_SL, M_B_SL, M_F_SL, M_R_SL, M_SL, OMEGA_SL, PSI_MAX, PSI_MIN, PSI_SL,
     Z_SL_HIGH, Z_SL_LOOSE, Z_SL_LOW, Z_SL_REST,

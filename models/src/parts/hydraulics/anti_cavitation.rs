@@ -11,7 +11,7 @@ quantities! {
 }
 
 impl<P: Calc> AntiCavitation<P> {
-    /// Flow from the tank into a chamber at a pressure (Pa), in m³/s: Q = k_ac (−p_ac − p), none at higher pressures.
+    /// Flow from the tank into a chamber at a pressure above its own (Pa), in m³/s: Q = k_ac (−p_ac − p), none at higher pressures.
     #[inline]
     pub fn flow<C: Over<P>>(&self, chamber: C) -> C {
         relief(-chamber, self.p_ac, self.k_ac)

@@ -113,7 +113,7 @@ pub struct Flows<C> {
     /// From the valve into the ports, and on into the chambers; the pump's is one of the former.
     pub valve: [C; 2],
     pub pump: C,
-    /// Pressure of the pump, in Pa.
+    /// Pressure of the pump above that of the tank, in Pa.
     pub supply: C,
     pub line: [C; 2],
     /// Parts of the load-holding valves that are open; none without them.
@@ -172,10 +172,11 @@ impl<P: Calc> Cylinder<P> {
     /// The same with these parts.
     #[inline(always)]
     fn flows_by<C: Over<P>>(&self, parts: Option<&OilParts<P>>, oil: &Oil<C>, supply: P) -> Flows<C> {
-        let mut valve = self.valve.flows(oil.spool, supply, oil.ports);
+        let above = Self::above_tank(parts, oil);
+        let mut valve = self.valve.flows(oil.spool, supply, above.ports);
         let mut pressure = C::of(supply);
         if let Some(pump) = parts.and_then(|parts| parts.pump.as_ref()) {
-            let asked = self.asked(oil, valve, pressure);
+            let asked = self.asked(&above, valve, pressure);
             let [flow, falls] = pump.delivered(&asked);
             (valve[oil.fed()], pressure) = (flow, falls.def(&s::P_S));
         }
@@ -196,17 +197,30 @@ impl<P: Calc> Cylinder<P> {
             line: [line[0].def(&s::Q_LA), line[1].def(&s::Q_LB)],
             openings,
             drawn: suction.map(|valves| {
-                let [bore, annulus] = oil.chambers.map(|chamber| valves.flow(chamber));
+                let [bore, annulus] = above.chambers.map(|chamber| valves.flow(chamber));
                 [bore.def(&s::Q_ACA), annulus.def(&s::Q_ACB)]
             }),
             torn: holding.map(|_| [torn(0).def(&s::Q_B1), torn(1).def(&s::Q_B2)]),
             relieved: holding.map(|valves| {
                 let edge = valves.relieves(oil.spool).times(self.valve.conductance);
-                let [a, b] = oil.ports.map(|port| edge * root(port));
+                let [a, b] = above.ports.map(|port| edge * root(port));
                 [a.def(&s::Q_T1), b.def(&s::Q_T2)]
             }),
             relief: [self.relieves(oil, 0).def(&s::Q_R1), self.relieves(oil, 1).def(&s::Q_R2)],
             leakage: (oil.chambers[0] - oil.chambers[1]).times(self.leakage).def(&s::Q_LEAK),
+        }
+    }
+
+    /// The same oil with its pressures above that of the tank.
+    #[inline(always)]
+    fn above_tank<C: Over<P>>(parts: Option<&OilParts<P>>, oil: &Oil<C>) -> Oil<C> {
+        match parts.and_then(|parts| parts.tank.as_ref()) {
+            None => *oil,
+            Some(tank) => Oil {
+                ports: tank.above(oil.ports),
+                chambers: tank.above(oil.chambers),
+                ..*oil
+            },
         }
     }
 
@@ -249,9 +263,10 @@ impl<P: Calc> Cylinder<P> {
         let Some(parts) = &self.parts else {
             return [None; PART_MARGINS];
         };
+        let above = Self::above_tank(Some(parts), oil);
         let suction = parts
             .anti_cavitation
-            .map(|valves| oil.chambers.map(|p| valves.margin(p)));
+            .map(|valves| above.chambers.map(|p| valves.margin(p)));
         let held = parts.load_holding.map(|valves| {
             let left = |i: usize, full: C| full - valves.excess(oil.chambers[i], oil.ports[1 - i]);
             let (none, full) = (C::constant(0.0), C::of(valves.dp_lh));
@@ -259,8 +274,8 @@ impl<P: Calc> Cylinder<P> {
             [left(0, none), left(1, none), left(0, full), left(1, full), underlap]
         });
         let pump = parts.pump.map(|pump| {
-            let valve = self.valve.flows(oil.spool, supply, oil.ports);
-            pump.margins(&self.asked(oil, valve, C::of(supply)))
+            let valve = self.valve.flows(oil.spool, supply, above.ports);
+            pump.margins(&self.asked(&above, valve, C::of(supply)))
         });
         let [suction, pump] = [suction, pump].map(|two| two.map_or([None; 2], |two| two.map(Some)));
         let held = held.map_or([None; 5], |five| five.map(Some));

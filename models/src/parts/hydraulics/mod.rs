@@ -9,10 +9,11 @@
 //! | `anti_cavitation` | valves that feed a chamber from the tank |
 //! | `load_holding` | valves that hold the load, whatever happens to a line |
 //! | `pump` | limits of flow and power |
-//! | `parts` | the last three, each of which may be there |
+//! | `tank` | its pressure |
+//! | `parts` | the last four, each of which may be there |
 //! | `symbols` | what the book calls flows, areas and volumes |
 //!
-//! Pressures are in Pa above the tank's, flows in m³/s, positive into a volume.
+//! Pressures are in Pa above the atmosphere's, that of the pump above the tank's; flows in m³/s, positive into a volume.
 
 pub mod anti_cavitation;
 pub mod cylinder;
@@ -21,5 +22,6 @@ pub mod oil;
 pub mod parts;
 pub mod pump;
 pub mod symbols;
+pub mod tank;
 pub mod throttle;
 pub mod valve;

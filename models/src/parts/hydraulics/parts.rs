@@ -10,12 +10,14 @@ use crate::parts::hydraulics::anti_cavitation::AntiCavitation;
 use crate::parts::hydraulics::load_holding::LoadHolding;
 use crate::parts::hydraulics::pump::PumpLimits;
 use crate::parts::hydraulics::symbols as s;
+use crate::parts::hydraulics::tank::Tank;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OilParts<C = f64> {
     pub anti_cavitation: Option<AntiCavitation<C>>,
     pub load_holding: Option<LoadHolding<C>>,
     pub pump: Option<PumpLimits<C>>,
+    pub tank: Option<Tank<C>>,
 }
 
 impl<C: Copy> OilParts<C> {
@@ -25,6 +27,7 @@ impl<C: Copy> OilParts<C> {
             anti_cavitation: self.anti_cavitation.map(|part| part.map(f)),
             load_holding: self.load_holding.map(|part| part.map(f)),
             pump: self.pump.map(|part| part.map(f)),
+            tank: self.tank.map(|part| part.map(f)),
         }
     }
 }
@@ -32,7 +35,7 @@ impl<C: Copy> OilParts<C> {
 impl<C: Calc> Group<C> for OilParts<C> {
     type Over<D: Calc> = OilParts<D>;
     /// Of all parts.
-    const SIZE: usize = 8;
+    const SIZE: usize = 9;
     fn map<D: Calc>(&self, f: &mut dyn FnMut(Quantity, C) -> D) -> OilParts<D> {
         self.map(&mut |symbol, value| f((symbol, None), value))
     }
@@ -52,6 +55,13 @@ impl<C: Calc> Group<C> for OilParts<C> {
 }
 
 impl OilParts {
+    const NONE: OilParts = OilParts {
+        anti_cavitation: None,
+        load_holding: None,
+        pump: None,
+        tank: None,
+    };
+
     /// Those of a table; `None` of none.
     ///
     /// # Errors
@@ -67,6 +77,7 @@ impl OilParts {
             pump: whole(table, PumpLimits::<f64>::SYMBOLS)?
                 .then(|| PumpLimits::read(table))
                 .flatten(),
+            tank: Tank::read(table),
         };
         let torn = [&s::Y_B1, &s::Y_B2].into_iter().find(|symbol| table.has(symbol.id));
         if let Some(torn) = torn.filter(|_| parts.load_holding.is_none()) {
@@ -78,15 +89,15 @@ impl OilParts {
                 "add p_lh, i_lh, dp_lh and x_T, or remove it",
             ));
         }
-        let any = parts.anti_cavitation.is_some() || parts.load_holding.is_some() || parts.pump.is_some();
-        Ok(any.then_some(parts))
+        Ok((parts != OilParts::NONE).then_some(parts))
     }
 }
 
 /// Whether a table has all that a part needs, or nothing of it.
 fn whole(table: &Values, symbols: &[&'static Symbol]) -> Result<bool, Diagnostic> {
-    let given = symbols.iter().find(|symbol| table.has(symbol.id));
-    let missing = symbols.iter().find(|symbol| !table.has(symbol.id));
+    let stands = |symbol: &Symbol| table.has(symbol.id) || table.unsound.contains(&symbol.id);
+    let given = symbols.iter().find(|symbol| stands(symbol));
+    let missing = symbols.iter().find(|symbol| !stands(symbol));
     let Some((given, missing)) = given.zip(missing) else {
         return Ok(given.is_some());
     };

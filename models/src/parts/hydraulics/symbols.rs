@@ -13,6 +13,7 @@ symbols! {
     X_T: "x_T" "x_T" ONE / ONE [from_to(0.0, 1.0)], "Underlap of the valve's edges to the tank: part of the stroke, from the middle and to either side, in which both ports are open to it, so that the load-holding valves shut.", "input";
     Y_B1: "y_b1" "y_(\"b\" 1)" ONE / ONE [from_to(0.0, 1.0)], "Part of the line on the side of the bore that is torn open between port and load-holding valve.", "input";
     Y_B2: "y_b2" "y_(\"b\" 2)" ONE / ONE [from_to(0.0, 1.0)], "Part of the line on the side of the annulus that is torn open between port and load-holding valve.", "input";
+    P_TANK: "p_tank" "p_\"tank\"" PA / MPA [from_to(0.0, 1e6)], "Pressure of the oil in the tank; without it the tank is open to the atmosphere.", "input";
     Q_PMAX: "Q_Pmax" "Q_(P,max)" M3_PER_S / L_PER_MIN [positive], "Greatest flow of the pump.", "input";
     P_PMAX: "P_Pmax" "P_(P,max)" W / KW [positive], "Greatest power that the pump gives the oil.", "input";
 

@@ -26,7 +26,9 @@ impl Watch {
     pub(super) fn new(range: &Motion, moving: &Moving, present: &CraneAt, sample: f64) -> Watch {
         let y = present.y;
         let opening = moving.oil.map_or(f64::INFINITY, |oil| oil.p_r);
-        let suction = moving.oil_parts.and_then(|parts| parts.anti_cavitation);
+        let suction = moving
+            .oil_parts
+            .and_then(|parts| Some((parts.anti_cavitation?, parts.tank)));
         let at = |x: f64, [low, high]: [f64; 2]| [x <= low, x >= high];
         let ends = [range.from, range.to];
         let (oil, own) = (moving.oil.is_some(), if moving.oil.is_some() { FIXED } else { 2 });
@@ -58,8 +60,9 @@ impl Watch {
             } else {
                 [false; 2]
             },
-            drawn: suction.map_or([false; 2], |valves| {
-                [y[4], y[5]].map(|chamber| valves.margin(chamber) < 0.0)
+            drawn: suction.map_or([false; 2], |(valves, tank)| {
+                let chambers = tank.map_or([y[4], y[5]], |tank| tank.above([y[4], y[5]]));
+                chambers.map(|chamber| valves.margin(chamber) < 0.0)
             }),
         }
     }
