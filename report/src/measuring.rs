@@ -90,9 +90,9 @@ pub fn dispensable(traded: &Trade) -> Vec<String> {
             Some((own, all)) => format!("{} of the time", percent(own / all)),
             None => format!("{} of the counted work", percent(without.cost / whole.cost)),
         };
-        let table = &part.table;
+        let path = &part.path;
         Some(format!(
-            "without [{table}] the results keep to the accuracy too, in {left} at {}",
+            "without {path} the results keep to the accuracy too, in {left} at {}",
             without.setting
         ))
     };

@@ -9,13 +9,12 @@ use crate::kernel::allowed::OutOfRange;
 use crate::kernel::calc::Calc;
 use crate::kernel::check::missing;
 use crate::kernel::diagnostic::Diagnostic;
-use crate::kernel::group::Group;
+use crate::kernel::group::by_map;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Kind, Values};
 use crate::kernel::sign::Sign;
 use crate::kernel::symbol::Symbol;
 use crate::kernel::text::Text;
-use crate::kernel::variable::Quantity;
 use crate::parts::four_bar::Branch;
 
 const KINDS: &[&str] = &["tail", "parallelogram", "lever", "straight_rail", "curved_rail"];
@@ -109,27 +108,7 @@ impl<C: Copy> Form<C> {
     }
 }
 
-impl<C: Calc> Group<C> for Form<C> {
-    type Over<D: Calc> = Form<D>;
-    /// Of the kind with the most.
-    const SIZE: usize = 9;
-    fn map<D: Calc>(&self, f: &mut dyn FnMut(Quantity, C) -> D) -> Form<D> {
-        self.map(&mut |symbol, value| f((symbol, None), value))
-    }
-    fn take(&self, place: usize) -> C {
-        let (mut at, mut found) = (0.., None);
-        self.map(&mut |_, value| {
-            if at.next() == Some(place) {
-                found = Some(value);
-            }
-        });
-        found.expect("a place of this kind")
-    }
-    fn put(&mut self, place: usize, value: C) {
-        let mut at = 0..;
-        *self = self.map(&mut |_, old| if at.next() == Some(place) { value } else { old });
-    }
-}
+by_map!(Form: 9);
 
 impl<C: Calc> Form<C> {
     /// The balance of a boom.

@@ -207,6 +207,36 @@ macro_rules! either {
 }
 pub(crate) use either;
 
+/// Implements [`Group`] by its own `map` for what has some quantities or others: `by_map!(Form: 9)`, of which as many at most.
+macro_rules! by_map {
+    ($name:ident: $most:expr) => {
+        impl<C: $crate::kernel::calc::Calc> $crate::kernel::group::Group<C> for $name<C> {
+            type Over<D: $crate::kernel::calc::Calc> = $name<D>;
+            const SIZE: usize = $most;
+            fn map<D: $crate::kernel::calc::Calc>(
+                &self,
+                f: &mut dyn FnMut($crate::kernel::variable::Quantity, C) -> D,
+            ) -> $name<D> {
+                self.map(&mut |symbol, value| f((symbol, None), value))
+            }
+            fn take(&self, place: usize) -> C {
+                let (mut at, mut found) = (0.., None);
+                self.map(&mut |_, value| {
+                    if at.next() == Some(place) {
+                        found = Some(value);
+                    }
+                });
+                found.expect("one of its places")
+            }
+            fn put(&mut self, place: usize, value: C) {
+                let mut at = 0..;
+                *self = self.map(&mut |_, old| if at.next() == Some(place) { value } else { old });
+            }
+        }
+    };
+}
+pub(crate) use by_map;
+
 /// Implements [`Group`] for what is no struct of scalars: a choice of the scene (`group!(Choice)`), or one of several,
 /// a number from 1 whatever the scalar (`group!(Mode as s::MODE: from number, to number)`).
 macro_rules! group {

@@ -1,7 +1,8 @@
 //! What the parts of a scene give and cost: each in turn is left out, and the rest makes the same motion.
 //!
 //! A part is a table without which the scene is still one that reaches the same level and has the same results, and
-//! less to say of its motion. What belongs to nothing without it, such as a limit of its results, goes with it.
+//! less to say of its motion; or a key of a table without which its motion begins in another way. What belongs to nothing
+//! without it, such as a limit of its results, goes with it.
 
 use std::ops::Range;
 
@@ -17,8 +18,8 @@ use crate::timed::Timed;
 /// A part, and what comes of leaving it out.
 #[derive(Clone, Debug)]
 pub struct Part {
-    /// Its table, by its path in the scene.
-    pub table: String,
+    /// Its table, or its keys, by their path in the scene.
+    pub path: String,
     /// What the rest comes to, or why it does not run.
     pub without: Result<Without, Fault>,
 }
@@ -38,43 +39,95 @@ pub struct Without {
     pub holds: Option<bool>,
 }
 
-/// A scene without each of its parts, with the part's table.
+/// What a model has to say: the names of its variables, how many events its motion may have, and its states and their
+/// rates at the start.
+struct Tells {
+    names: Vec<String>,
+    events: usize,
+    start: [Vec<f64>; 2],
+}
+
+impl Tells {
+    fn new(scene: &Scene, level: &str) -> Option<Tells> {
+        let mut model = scene.at(level).model().ok()?;
+        let mut start = [0; 2].map(|_| vec![0.0; model.states()]);
+        // What does not begin is told when it is to run.
+        if model.start().is_ok() {
+            model.get_states(&mut start[0]);
+            model.rates(&mut start[1]).ok()?;
+        }
+        Some(Tells {
+            names: model.variables().iter().map(Variable::name).collect(),
+            events: model.indicators(),
+            start,
+        })
+    }
+
+    /// Whether it is the motion of another one, too, where that has less to say.
+    fn moves_as(&self, other: &Tells) -> bool {
+        self.events == other.events && self.start == other.start
+    }
+}
+
+/// A scene without each of its parts, with the part's path.
 #[must_use]
 pub fn left_out(scene: &Scene, deepest: &str, asked: &[Asked]) -> Vec<(String, Scene)> {
-    let names = |scene: &Scene| -> Option<Vec<String>> {
-        let model = scene.at(deepest).model().ok()?;
-        Some(model.variables().iter().map(Variable::name).collect())
-    };
-    let (Ok(document), Some(all)) = (Document::parse(scene.text()), names(scene)) else {
+    let (Ok(document), Some(all)) = (Document::parse(scene.text()), Tells::new(scene, deepest)) else {
         return Vec::new();
     };
-    let tables = |table: &Table| -> Vec<String> {
-        let tables = table.iter().filter(|(_, item)| matches!(item, Item::Table(_)));
-        tables.map(|(name, _)| name.to_owned()).collect()
-    };
     let own = document.get(scene.table).and_then(Item::as_table);
-    let within = own.map(tables).unwrap_or_default().into_iter();
-    let beside = tables(&document).into_iter().filter(|name| name != scene.table);
-    let paths = within.map(|name| vec![scene.table.to_owned(), name]);
-    let paths = paths.chain(beside.map(|name| vec![name]));
-    let part = |path: Vec<String>| {
-        let rest = rest(scene.text(), &path)?;
-        let known = names(&rest).filter(|_| rest.table == scene.table && rest.levels().contains(&deepest))?;
-        let tells = asked.iter().all(|asked| known.contains(&asked.name));
-        (tells && known != all).then(|| (path.join("."), rest))
-    };
-    paths.filter_map(part).collect()
+    let within = own.into_iter().flat_map(Table::iter);
+    let within = within.map(|(name, item)| (vec![scene.table.to_owned(), name.to_owned()], item));
+    let beside = document.iter().filter(|(name, _)| *name != scene.table);
+    let beside = beside.map(|(name, item)| (vec![name.to_owned()], item));
+    let tables = within
+        .chain(beside)
+        .filter_map(|(path, item)| Some((path, item.as_table()?)));
+    let mut found: Vec<(String, Scene)> = Vec::new();
+    for (path, table) in tables {
+        let keys = table.iter().filter(|(_, item)| item.is_value());
+        let keys = keys.map(|(name, _)| [path.clone(), vec![name.to_owned()]].concat());
+        for (is_key, path) in std::iter::once((false, path.clone())).chain(keys.map(|path| (true, path))) {
+            let Some((rest, gone)) = rest(scene.text(), path) else {
+                continue;
+            };
+            let same = rest.table == scene.table && rest.levels().contains(&deepest);
+            let Some(less) = Tells::new(&rest, deepest).filter(|_| same) else {
+                continue;
+            };
+            let tells = asked.iter().all(|asked| less.names.contains(&asked.name));
+            let is_part = less.names != all.names && !(is_key && less.moves_as(&all));
+            let known = found.iter().any(|(_, other)| other.text() == rest.text());
+            if tells && is_part && !known {
+                let names = if is_key { of_table(&gone) } else { gone[0].join(".") };
+                found.push((names, rest));
+            }
+        }
+    }
+    found
+}
+
+/// The first key that is gone, and what is gone of the same table.
+fn of_table(gone: &[Vec<String>]) -> String {
+    let (name, table) = gone[0].split_last().expect("a path");
+    let others = gone[1..].iter().filter_map(|path| path.split_last());
+    let others = others
+        .filter(|(_, other)| *other == table)
+        .map(|(name, _)| name.as_str());
+    let names: Vec<&str> = std::iter::once(name.as_str()).chain(others).collect();
+    format!("{}.{}", table.join("."), names.join(", "))
 }
 
 /// How often what is left over is looked for: mistakes of one kind can hide others.
-const ROUNDS: usize = 4;
+const ROUNDS: usize = 8;
 
-/// What a text says without something in it, and without what then belongs to nothing.
-fn rest(text: &str, path: &[String]) -> Option<Scene> {
-    let mut text = removed(text, path)?;
+/// What a text says without something in it, and without what then belongs to nothing; the paths of all that is gone.
+fn rest(text: &str, path: Vec<String>) -> Option<(Scene, Vec<Vec<String>>)> {
+    let mut text = removed(text, &path)?;
+    let mut gone = vec![path];
     for _ in 0..ROUNDS {
         let found = match Scene::parse(&text) {
-            Ok(scene) => return Some(scene),
+            Ok(scene) => return Some((scene, gone)),
             Err(found) => found,
         };
         let document = Document::parse(text.as_str()).ok()?;
@@ -82,6 +135,7 @@ fn rest(text: &str, path: &[String]) -> Option<Scene> {
         let over: Vec<_> = over.collect::<Option<_>>()?;
         for path in over {
             text = removed(&text, &path).unwrap_or(text);
+            gone.push(path);
         }
     }
     None
@@ -149,9 +203,9 @@ pub fn parts(
             errors,
         })
     };
-    let part = |(table, rest): (String, Scene)| Part {
+    let part = |(path, rest): (String, Scene)| Part {
         without: without(&rest),
-        table,
+        path,
     };
     left_out.into_iter().map(part).collect()
 }

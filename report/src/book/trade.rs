@@ -39,7 +39,7 @@ pub(super) struct Trade {
 /// The scene without one of its parts.
 #[derive(Serialize)]
 struct LeftOut {
-    table: String,
+    path: String,
     /// Where it runs at another one than all parts do.
     setting: Option<String>,
     /// By counted work, and as a part of what all parts cost; none where it does not run.
@@ -191,7 +191,7 @@ fn left_out(
         let errors = without.map_or(&[][..], |without| &without.errors);
         let errors = traded.asked.iter().zip(errors);
         LeftOut {
-            table: part.table.clone(),
+            path: part.path.clone(),
             setting: finer.and_then(|without| setting(numbers, names, &without.setting)),
             cost: without.map(|without| [1e6 * without.cost, without.cost / whole.cost].map(digits)),
             errors: errors

@@ -137,7 +137,7 @@ fn left_out(traded: &trade::Trade, text: &mut String) {
     let mut rows = vec![["without", "us/s", "of all"].map(str::to_owned).to_vec()];
     rows[0].extend(heads(traded));
     for part in &traded.parts {
-        let mut cells = vec![format!("[{}]", part.table)];
+        let mut cells = vec![part.path.clone()];
         match &part.without {
             Ok(without) => {
                 if without.setting != whole.setting {
@@ -164,7 +164,7 @@ fn left_out(traded: &trade::Trade, text: &mut String) {
     align(&rows, 1, text);
     for part in &traded.parts {
         if let Err(fault) = &part.without {
-            let _ = writeln!(text, "  without [{}] it does not run: {}", part.table, fault.message);
+            let _ = writeln!(text, "  without {} it does not run: {}", part.path, fault.message);
         }
     }
 }
@@ -330,11 +330,11 @@ fn json(scene: &Scene, traded: &Traded) -> String {
             let errors = traded.asked.iter().zip(&without.errors);
             let errors = errors.map(|(asked, error)| (asked.name.clone(), size(*error)));
             json!({
-                "without": part.table, "setting": without.setting.to_string(),
+                "without": part.path, "setting": without.setting.to_string(),
                 "seconds_per_second": without.seconds.map(number), "cost": number(without.cost), "holds": without.holds, "errors": errors.collect::<Map<_, _>>(),
             })
         }
-        Err(fault) => json!({ "without": part.table, "fault": fault.message }),
+        Err(fault) => json!({ "without": part.path, "fault": fault.message }),
     });
     let whole = json!({
         "name": scene.name(), "motion": traded.command.unwrap_or("cycle"), "duration": number(traded.duration),

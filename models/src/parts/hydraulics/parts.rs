@@ -1,11 +1,9 @@
 //! Parts of a cylinder's oil that a scene may leave out, as one group.
 
-use crate::kernel::calc::Calc;
 use crate::kernel::diagnostic::Diagnostic;
-use crate::kernel::group::Group;
+use crate::kernel::group::by_map;
 use crate::kernel::schema::Values;
 use crate::kernel::symbol::Symbol;
-use crate::kernel::variable::Quantity;
 use crate::parts::hydraulics::anti_cavitation::AntiCavitation;
 use crate::parts::hydraulics::load_holding::LoadHolding;
 use crate::parts::hydraulics::pump::PumpLimits;
@@ -32,27 +30,7 @@ impl<C: Copy> OilParts<C> {
     }
 }
 
-impl<C: Calc> Group<C> for OilParts<C> {
-    type Over<D: Calc> = OilParts<D>;
-    /// Of all parts.
-    const SIZE: usize = 9;
-    fn map<D: Calc>(&self, f: &mut dyn FnMut(Quantity, C) -> D) -> OilParts<D> {
-        self.map(&mut |symbol, value| f((symbol, None), value))
-    }
-    fn take(&self, place: usize) -> C {
-        let (mut at, mut found) = (0.., None);
-        self.map(&mut |_, value| {
-            if at.next() == Some(place) {
-                found = Some(value);
-            }
-        });
-        found.expect("a place of a part that is there")
-    }
-    fn put(&mut self, place: usize, value: C) {
-        let mut at = 0..;
-        *self = self.map(&mut |_, old| if at.next() == Some(place) { value } else { old });
-    }
-}
+by_map!(OilParts: 9);
 
 impl OilParts {
     const NONE: OilParts = OilParts {
