@@ -9,7 +9,7 @@ use lemnis_models::kernel::gravity;
 use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::luffing;
 use lemnis_models::luffing::double_link;
-use lemnis_models::parts::{air, hanging, hydraulics, motor, teeth, turntable};
+use lemnis_models::parts::{air, ground, hanging, hydraulics, motor, teeth, turntable};
 use lemnis_models::registry;
 use lemnis_models::slewing;
 use lemnis_models::steering;
@@ -33,6 +33,7 @@ const TABLES: [(&str, &[&Symbol]); 26] = [
     ("The joint by which a crane slews", turntable::ALL),
     ("A load on its rope, from a head that joints move", hanging::ALL),
     ("Air around a load on its rope", air::ALL),
+    ("Ground below a load on its rope", ground::ALL),
     ("Slewing by itself", slewing::symbols::ALL),
     (
         "A mobile crane on its supports, seen from above: x forward, y to the left, angles counter-clockwise",

@@ -143,7 +143,7 @@ pub fn order(oil: bool, slews: bool) -> &'static [usize] {
 
 static PAST: Symbol = Symbol::new("past", "", [&ONE, &ONE], "A number of what happened before.", "derived");
 
-const PAST_NUMBERS: usize = 6;
+const PAST_NUMBERS: usize = 7;
 
 /// Which way a bar moves, as a number; one that is loose always is.
 fn way(bar: Bar) -> f64 {
@@ -164,16 +164,25 @@ fn bar(way: f64) -> Bar {
 
 fn numbers(modes: &Modes) -> [f64; PAST_NUMBERS] {
     let [luffing, slewing] = modes.joints.map(way);
-    let (drum, taut) = (modes.drum, f64::from(modes.taut));
-    [luffing, slewing, way(drum.way), drum.command, taut, modes.blown]
+    let (drum, [taut, grounded]) = (modes.drum, [modes.taut, modes.grounded].map(f64::from));
+    [
+        luffing,
+        slewing,
+        way(drum.way),
+        drum.command,
+        taut,
+        modes.blown,
+        grounded,
+    ]
 }
 
-fn modes([luffing, slewing, drum, command, taut, blown]: [f64; PAST_NUMBERS]) -> Modes {
+fn modes([luffing, slewing, drum, command, taut, blown, grounded]: [f64; PAST_NUMBERS]) -> Modes {
     let way = bar(drum);
     Modes {
         joints: [bar(luffing), bar(slewing)],
         drum: Drum { way, command },
         taut: taut != 0.0,
+        grounded: grounded != 0.0,
         slack: None,
         blown,
     }

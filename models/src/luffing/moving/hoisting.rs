@@ -7,6 +7,7 @@ use crate::kernel::schema::{Key, Values};
 use crate::kernel::symbol::Symbol;
 use crate::luffing::moving::symbols as s;
 use crate::parts::air::AirAround;
+use crate::parts::ground::GroundBelow;
 
 /// Keys of `[luffing.hoisting]`.
 pub static HOISTING_KEYS: &[Key] = keys! { s:
@@ -56,6 +57,8 @@ pub struct LoadRope {
     pub give: Option<RopeGive<f64>>,
     /// `None` where nothing resists the load.
     pub air: Option<AirAround<f64>>,
+    /// `None` where there is nothing below the load.
+    pub ground: Option<GroundBelow<f64>>,
 }
 
 /// Ids of what the model takes for granted of load, rope and hoist; `fixed` where there is no rope.
@@ -73,7 +76,8 @@ pub fn load_taken(rope: Option<&LoadRope>, fixed: &'static str) -> impl Iterator
         HoistKind::Motor(_) => "hoist_motor",
     });
     let air = rope.and_then(|rope| rope.air).map(|_| "air");
-    [Some(load), slack, hoist, air].into_iter().flatten()
+    let ground = rope.and_then(|rope| rope.ground).map(|_| "ground");
+    [Some(load), slack, hoist, air, ground].into_iter().flatten()
 }
 
 /// The table that has the rope and its hoist: `[luffing.hoisting]`, or `[luffing.dynamics]`.
@@ -115,6 +119,7 @@ pub fn load_rope(table: &Values, fidelity: &str) -> Result<Option<LoadRope>, Dia
             hoist: winch(table)?,
             give: give(table)?,
             air: None,
+            ground: None,
         })),
         ("swing", None) => {
             let what = "a swinging load without a rope";

@@ -21,7 +21,7 @@ use crate::parts::solver::rodas::Run;
 use crate::parts::solver::{Count, Halt};
 
 /// Most event indicators of any level.
-pub const MOST_INDICATORS: usize = 13 + PART_MARGINS;
+pub const MOST_INDICATORS: usize = 14 + PART_MARGINS;
 /// Event indicators of the oil besides those of parts that it may have, which stand behind all others.
 const OIL_INDICATORS: usize = 6;
 
@@ -72,6 +72,9 @@ pub enum MotionResult {
     /// Of the air on the load, and the power that it takes.
     Air,
     AirPower,
+    /// Of the ground on the load, and the load's height above it.
+    Ground,
+    Height,
 }
 
 /// The same of cranes without oil, and of those with it.
@@ -123,6 +126,8 @@ fn oil_reaction<const N: usize, P: Coordinate<P>>(
         MotionResult::Drum => system.drum_friction(modes, y),
         MotionResult::Air => Some(system.in_air(modes, y)?[0]),
         MotionResult::AirPower => Some(system.in_air(modes, y)?[1]),
+        MotionResult::Ground => Some(system.on_ground(modes, y)?[0]),
+        MotionResult::Height => Some(system.on_ground(modes, y)?[1]),
     }
 }
 
@@ -155,6 +160,15 @@ where
             let r = &P::reduced(&crane.dynamics, y[0])?;
             let [force, power] = crane.in_air(&Snapshot { state, r, y, commands });
             Some(if reaction == MotionResult::Air { force } else { power })
+        }
+        MotionResult::Ground | MotionResult::Height => {
+            let r = &P::reduced(&crane.dynamics, y[0])?;
+            let [force, height] = crane.on_ground(&Snapshot { state, r, y, commands });
+            Some(if reaction == MotionResult::Ground {
+                force
+            } else {
+                height
+            })
         }
         MotionResult::SlewingFriction => crane.friction_moment(1, state, commands, y),
         MotionResult::Friction | MotionResult::Cylinder => crane.friction_moment(0, state, commands, y),

@@ -11,6 +11,7 @@ use crate::kernel::group::One;
 use crate::kernel::variable::Fault;
 use crate::luffing::moving::blown::directions;
 use crate::luffing::moving::carried::{CarriedCrane, at, known, put};
+use crate::luffing::moving::dynamics::Coordinate;
 use crate::luffing::moving::given::{CraneStates, Fitted, MOST_STATES, STATES, Slack};
 use crate::luffing::moving::hoisting::HoistKind;
 use crate::luffing::moving::hydraulic::{FIXED, Modes};
@@ -40,12 +41,35 @@ impl CraneAt {
         let (first, own) = (own(oil), if slews { space::STATES } else { motion::STATES });
         self.y[first + own - 3] = rate;
         self.past.drum = Drum::at(rate);
+        let gives = gives && !self.past.grounded;
         if gives && slews {
             let place = Vector3::new(self.y[first + 2], self.y[first + 3], self.y[first + 4]);
             let along = to_load(place).1 * rate;
             self.y[first + 5..first + 8].copy_from_slice(along.as_slice());
         } else if gives {
             self.y[first + 4] = rate;
+        }
+    }
+
+    /// A load that would hang lower than the ground, which is below the head by a height (m), stands on it at the rope's
+    /// direction.
+    fn stand(&mut self, below: f64, [oil, slews]: [bool; 2]) {
+        let (first, y) = (own(oil), &mut self.y);
+        let hangs = if slews {
+            -y[first + 3]
+        } else {
+            -y[first + 3] * directions(y[first]).0.y
+        };
+        self.past.grounded = hangs >= below;
+        if self.past.grounded {
+            let place = if slews {
+                first + 2..first + 5
+            } else {
+                first + 3..first + 4
+            };
+            for y in &mut y[place] {
+                *y *= below / hangs;
+            }
         }
     }
 
@@ -103,6 +127,20 @@ fn held_by_oil(level: &Level, at: &mut CraneAt) -> Option<()> {
     Some(())
 }
 
+/// How high the head is above ground (m) where the motion begins at an angle (rad).
+fn above(level: &Level, theta: f64, ground: f64) -> Result<f64, Fault> {
+    let head = f64::reduced(level.dynamics(), theta).map_or(ground, |r| r.head[0].y);
+    if head > ground {
+        return Ok(head - ground);
+    }
+    Err(Fault::outside(format!(
+        "the ground at {} = {} is not below the head, which is at {} where the motion begins: give less",
+        m::Y_G.id,
+        m::Y_G.written(ground),
+        m::Y_G.written(head)
+    )))
+}
+
 /// What the scene gives of its motion, at rest.
 fn sources(moving: &Moving) -> MotionSources {
     let Moving {
@@ -127,6 +165,7 @@ fn sources(moving: &Moving) -> MotionSources {
         },
         give: rope.and_then(|rope| rope.give),
         around: rope.and_then(|rope| rope.air),
+        ground: rope.and_then(|rope| rope.ground),
         turning: slewing.map(|turn| turn.joint.turning),
         oil,
         oil_parts,
@@ -166,6 +205,9 @@ pub fn starting<T: Luffs>(
         let (oil, slews) = (oil.is_some(), slewing.is_some());
         if let Some(give) = rope.and_then(|rope| rope.give) {
             now.stretch(weight / give.c_r, [oil, slews]);
+        }
+        if let Some(ground) = rope.and_then(|rope| rope.ground) {
+            now.stand(above(level, theta, ground.y_g)?, [oil, slews]);
         }
         if let Some(rope) = rope {
             let rate = if moving.winds_at_once() {

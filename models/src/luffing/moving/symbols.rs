@@ -6,6 +6,7 @@ pub use crate::parts::air::{
     A_AIR_X, A_AIR_Y, A_AIR_Z, CHI_AIR, DELTA_AIR, F_AIR, KAPPA_AIR, P_AIR, U_AIR, U_AIR_X, U_AIR_Y, U_AIR_Z, V_AIR,
     W_AIR,
 };
+pub use crate::parts::ground::{H_G, N_G, Y_G, Z_GROUND};
 pub use crate::parts::hanging::{
     A_N, A_R, ALPHA_0, ALPHA_0SL, B_X, B_Y, B_Z, D_V_QX, D_V_QY, D_V_QZ, D_X_Q, D_Y_Q, D_Z_Q, H_1R, H_2R, KAPPA_R, L_R,
     MASS_E, N_X, N_Y, N_Z, PHI_R, R_QX, S_Q, S_R, U_X, U_Y, V_E, V_QX, V_QY, V_QZ, W_X, W_Y, W_Z, X_Q, Y_Q, Z_Q,

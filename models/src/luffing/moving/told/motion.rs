@@ -31,7 +31,7 @@ use crate::parts::hydraulics::symbols as h;
 use crate::parts::hydraulics::throttle::LAMINAR;
 
 /// What the formulas of a section give; those of the assembled model stand among them. A mechanism has its own besides.
-const SECTIONS: [(&str, &[&Symbol]); 10] = [
+const SECTIONS: [(&str, &[&Symbol]); 11] = [
     (
         "motion_counterweight",
         &[&m::MASS_5, &b::C_5X, &b::C_5Y, &m::DX_5, &m::DY_5, &m::DDX_5, &m::DDY_5],
@@ -103,6 +103,7 @@ const SECTIONS: [(&str, &[&Symbol]); 10] = [
             D_OMEGA_R, D_V_QX, D_V_QY, D_V_QZ, D_V_Q, S_R, D_V_R
         },
     ),
+    ("motion_ground", listed!(m: H_G, N_G)),
     (
         "motion_forces",
         &[
