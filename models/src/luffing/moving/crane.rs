@@ -334,11 +334,7 @@ where
             out[4 * J + 1..4 * J + 3].copy_from_slice(&reaching);
         }
         if let Some(ground) = self.dynamics.ground() {
-            let raised = self.raised(ground, at);
-            out[4 * J + 3] = match state.grounded {
-                true => self.borne(&raised, at),
-                false => raised.touching(),
-            };
+            out[4 * J + 3] = self.grounding(ground, at);
         }
         out.map(above_zero)
     }
@@ -349,25 +345,6 @@ where
             Some(rope) => Elastic::<P>::slackening(at.state.taut, Self::stretched(rope, at.r, at.y)),
             None if at.state.taut => self.slackening_by(&self.accelerations(at), at),
             None => at.y[Self::LENGTH] * C::constant(LOOSE) - Self::reach(at.y)[0],
-        }
-    }
-
-    /// Force of the ground (N) on a load that stands on it.
-    fn borne<C: Coordinate<P>>(&self, raised: &Raised<C>, at: &Snapshot<N, J, C>) -> C {
-        let mass = self
-            .dynamics
-            .pendulum()
-            .map_or(C::constant(0.0), |load| C::of(load.mass));
-        raised.bears(mass * C::of(self.dynamics.gravity()), self.tension(at))
-    }
-
-    /// Force of the ground on the load, in N, and its height above it, in m.
-    pub(crate) fn on_ground<C: Coordinate<P>>(&self, at: &Snapshot<N, J, C>) -> [C; 2] {
-        let still = C::constant(0.0);
-        match self.dynamics.ground() {
-            None => [still; 2],
-            Some(ground) if at.state.grounded => [self.borne(&self.raised(ground, at), at), still],
-            Some(ground) => [still, self.raised(ground, at).height],
         }
     }
 
@@ -416,9 +393,7 @@ where
                 Some(Some(rope)) => state.taut = Elastic::<f64>::pulls(state.taut, Self::stretched(rope, &r, &state.y)),
                 Some(None) => self.switched(state, &r, commands),
             }
-            if let Some(ground) = self.dynamics.ground() {
-                self.land(ground, state, &r, commands);
-            }
+            self.land(state, &r, commands);
             for i in 0..J {
                 if state.joints[i] == Bar::Held {
                     state.joints[i] = Bar::loosened(self.held(i, &state.at(&r, commands)));
@@ -456,25 +431,6 @@ where
             self.wound(state, before, jump)?;
         }
         Ok(())
-    }
-
-    /// A load that touches ground at a height (m) is at rest at once, and stands there unless its rope lifts it.
-    fn land(&self, ground: f64, state: &mut CraneState<N, J>, r: &Reduced<f64>, commands: &Commands<J>) {
-        if !state.grounded && self.raised(ground, &state.at(r, commands)).touching() < 0.0 {
-            self.put_down(state, r, ground);
-            state.grounded = true;
-            // An empty hook hangs on a rope that keeps its length.
-            state.taut = state.taut && !self.is_kept(state);
-        }
-        if state.grounded && self.is_lifted(ground, &state.at(r, commands)) {
-            self.put_down(state, r, ground);
-            state.grounded = false;
-        }
-    }
-
-    /// Whether the rope takes all of a load that stands on ground at a height (m): an empty hook's as soon as it is taut.
-    fn is_lifted(&self, ground: f64, at: &Snapshot<N, J, f64>) -> bool {
-        self.is_kept(at.state) || self.borne(&self.raised(ground, at), at) < 0.0
     }
 
     /// A joint that has reached a stop, or turned round, is at rest.

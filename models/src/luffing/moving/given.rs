@@ -143,7 +143,7 @@ pub fn order(oil: bool, slews: bool) -> &'static [usize] {
 
 static PAST: Symbol = Symbol::new("past", "", [&ONE, &ONE], "A number of what happened before.", "derived");
 
-const PAST_NUMBERS: usize = 7;
+const PAST_NUMBERS: usize = 6;
 
 /// Which way a bar moves, as a number; one that is loose always is.
 fn way(bar: Bar) -> f64 {
@@ -162,27 +162,31 @@ fn bar(way: f64) -> Bar {
     }
 }
 
+/// How the load hangs, as a number: one where its rope is taut, and two more where it stands on the ground.
+fn hanging(modes: &Modes) -> f64 {
+    f64::from(modes.taut) + 2.0 * f64::from(modes.grounded)
+}
+
 fn numbers(modes: &Modes) -> [f64; PAST_NUMBERS] {
     let [luffing, slewing] = modes.joints.map(way);
-    let (drum, [taut, grounded]) = (modes.drum, [modes.taut, modes.grounded].map(f64::from));
+    let drum = modes.drum;
     [
         luffing,
         slewing,
         way(drum.way),
         drum.command,
-        taut,
+        hanging(modes),
         modes.blown,
-        grounded,
     ]
 }
 
-fn modes([luffing, slewing, drum, command, taut, blown, grounded]: [f64; PAST_NUMBERS]) -> Modes {
+fn modes([luffing, slewing, drum, command, hanging, blown]: [f64; PAST_NUMBERS]) -> Modes {
     let way = bar(drum);
     Modes {
         joints: [bar(luffing), bar(slewing)],
         drum: Drum { way, command },
-        taut: taut != 0.0,
-        grounded: grounded != 0.0,
+        taut: hanging == 1.0 || hanging == 3.0,
+        grounded: hanging >= 2.0,
         slack: None,
         blown,
     }

@@ -8,10 +8,9 @@ use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Values};
 use crate::kernel::symbol::Symbol;
 use crate::luffing::moving::given::{Constants, CylinderOil, Inputs};
-use crate::luffing::moving::hoisting::{HoistKind, LoadRope, hoisting, load_rope};
+use crate::luffing::moving::hoisting::{HoistKind, LoadRope, hoisting, load_rope, surround};
 use crate::luffing::moving::symbols as s;
-use crate::parts::air::{AIR, around};
-use crate::parts::ground::{GROUND, below};
+use crate::parts::air::AIR;
 use crate::parts::hanging::too_short;
 use crate::parts::hoist::HoistCommand;
 use crate::parts::hydraulics::parts::OilParts;
@@ -164,29 +163,6 @@ impl Moving {
             rope,
         })
     }
-}
-
-/// Air around a load on its rope, and ground below it, where the scene has them.
-fn surround(v: &Values, rope: &mut Option<LoadRope>, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<()> {
-    let Some(rope) = rope else {
-        let unused = [
-            (AIR.name, "air around a load that does not swing"),
-            (GROUND.name, "ground below a load that does not swing"),
-        ];
-        let help = "set fidelity = \"swing\", or remove this table";
-        let unused = unused.into_iter().filter(|(name, _)| v.table(name).is_some());
-        found.extend(unused.map(|(name, what)| v.refuse(name, what, "not used", help)));
-        return Some(());
-    };
-    if let Some(table) = v.table(AIR.name) {
-        let swings = (gravity / rope.length).sqrt();
-        let slews = v.table("slewing").is_some();
-        rope.air = Some(around(table, [swings, gravity], slews, found)?);
-    }
-    if let Some(table) = v.table(GROUND.name) {
-        rope.ground = Some(below(table, rope.give.is_some(), found)?);
-    }
-    Some(())
 }
 
 /// What is commanded of a mechanism, by its tables of dynamics and hoist.
