@@ -11,6 +11,7 @@ use crate::luffing::moving::given::{Constants, CylinderOil, Inputs};
 use crate::luffing::moving::hoisting::{HoistKind, LoadRope, hoisting, load_rope, surround};
 use crate::luffing::moving::symbols as s;
 use crate::parts::air::AIR;
+use crate::parts::ground::GROUND;
 use crate::parts::hanging::too_short;
 use crate::parts::hoist::HoistCommand;
 use crate::parts::hydraulics::parts::OilParts;
@@ -280,6 +281,7 @@ fn table<'a>(v: &'a Values, fidelity: &str, bodies: &Inert) -> Result<Option<&'a
                 ("slewing", "slewing"),
                 ("hoisting", "rope and hoist"),
                 ("hydraulics", "oil"),
+                (GROUND.name, "ground"),
             ];
             return match parts.into_iter().find(|(part, _)| v.has(part)) {
                 Some((part, name)) => {
