@@ -242,6 +242,37 @@ def test_in_model_exchange_as_in_co_simulation_while_the_crane_moves(slews, tmp_
         assert max(x) - min(x) < 1e-6
 
 
+OIL = """[luffing.hoisting]
+l_R = "25 m"
+c_R = "2000 kN/m"
+d_R = "20 kN.s/m"
+a_h = "0.4 m/s2"
+v_h = { between = "steps", over = [["0 s", "0.3 m/s"], ["5 s", "0 m/s"], ["11 s", "-0.3 m/s"], ["20 s", "0 m/s"]] }
+
+[luffing.ground]
+y_G = "GROUND m"
+
+"""
+
+
+def test_beside_oil(tmp_path):
+    """A cylinder luffs while the load is put down, stands and is picked up: as in Model Exchange; it stays where it stands."""
+    text = (ROOT / "models/scenes/luffing_cylinder.toml").read_text(encoding="utf-8")
+    start = simulate_fmu(fmus(tmp_path / "start", text)["FMI 3"], stop_time=0.01, output=["A.y"])["A.y"][0]
+    text = re.sub(r'l_R   = "15 m".*\n', "", text).replace("[luffing.limits]", OIL.replace("GROUND", f"{start - 26.0}") + "[luffing.limits]")
+    path = fmus(tmp_path / "oil", text)["FMI 3"]
+    names = ["s_Q", "phi_R", "S_R", "N_G", "h_G", "W_blow", "A.x", "A.y", "theta_1", "l_R"]
+    inside, outside = (simulate_fmu(path, fmi_type=kind, stop_time=20.0, output_interval=0.1, relative_tolerance=1e-8, output=names,
+                                    record_events=False) for kind in ("CoSimulation", "ModelExchange"))
+    scale = np.array([1.0, 1.0, 1e5, 1e5, 1.0, 1e3, 1.0, 1.0, 1.0, 1.0])
+    apart = np.array([np.abs(inside[name] - np.interp(inside["time"], outside["time"], outside[name])).max() for name in names]) / scale
+    stands = inside[inside["N_G"] > 0.0]
+    x = stands["A.x"] + stands["s_Q"] * np.sin(stands["phi_R"])
+    print(apart, len(stands), np.ptp(x), np.ptp(stands["A.x"]), inside["h_G"][-1], inside["W_blow"][-1])
+    assert len(stands) > 20 and np.ptp(x) < 1e-4 and np.ptp(stands["A.x"]) > 0.1 and inside["h_G"][-1] > 0.1
+    assert apart.max() < 1e-4, apart
+
+
 def test_inputs_and_results(commanded):
     variables = {variable.name: variable for variable in read_model_description(commanded["FMI 3"]).modelVariables}
     assert {name: variables[name].causality for name in ("y_G", "N_G", "h_G", "W_blow", "Q")} == {
@@ -266,5 +297,8 @@ def test_the_book_tells_of_it(language, tmp_path):
     known = words(language)
     for group, word in (("input", "ground"), ("section", "motion_ground"), ("purpose", "motion_ground")):
         assert known[group][word] in book, (group, word)
+    assert known["section"]["motion_standing"] in book and known["purpose"]["motion_standing"] in book
+    # Its rope pulls with half of 100 kN.
+    assert re.search(r'N_G &= .*\n?.*50', book) and "N_G &=" in book
     for symbol in ("h_G", "N_G", "y_G"):
         assert symbol in book, symbol

@@ -51,26 +51,35 @@ impl CraneAt {
         }
     }
 
-    /// A load that would hang lower than the ground, which is below the head by a height (m), stands on it at the rope's
-    /// direction.
-    fn stand(&mut self, below: f64, [oil, slews]: [bool; 2]) {
-        let (first, y) = (own(oil), &mut self.y);
-        let hangs = if slews {
-            -y[first + 3]
-        } else {
-            -y[first + 3] * directions(y[first]).0.y
-        };
-        self.past.grounded = hangs >= below;
-        if self.past.grounded {
-            let place = if slews {
-                first + 2..first + 5
-            } else {
-                first + 3..first + 4
-            };
-            for y in &mut y[place] {
-                *y *= below / hangs;
-            }
+    /// How far below the head the load is, in m.
+    fn hangs(&self, [oil, slews]: [bool; 2]) -> f64 {
+        let first = own(oil);
+        let along = if slews { 1.0 } else { directions(self.y[first]).0.y };
+        -self.y[first + 3] * along
+    }
+
+    /// The load stands on ground that is below the head by a height (m), in the rope's direction.
+    pub(super) fn stand(&mut self, below: f64, fittings: [bool; 2]) {
+        let [oil, slews] = fittings;
+        let (first, nearer) = (own(oil), below / self.hangs(fittings));
+        let place = if slews { 2..5 } else { 3..4 };
+        for y in &mut self.y[first..][place] {
+            *y *= nearer;
         }
+        self.past.grounded = true;
+    }
+
+    /// The rope is as long as its stretch (m) asks for where the load is.
+    pub(super) fn pull(&mut self, stretch: f64, [oil, slews]: [bool; 2]) {
+        let first = own(oil);
+        let y = &self.y[first..];
+        let (length, distance) = if slews {
+            (8, Vector3::new(y[2], y[3], y[4]).norm())
+        } else {
+            (2, y[3])
+        };
+        self.y[first + length] = distance - stretch;
+        self.past.taut = true;
     }
 
     /// The load hangs by the stretch (m) of a rope that carries it at rest.
@@ -207,7 +216,10 @@ pub fn starting<T: Luffs>(
             now.stretch(weight / give.c_r, [oil, slews]);
         }
         if let Some(ground) = rope.and_then(|rope| rope.ground) {
-            now.stand(above(level, theta, ground.y_g)?, [oil, slews]);
+            let below = above(level, theta, ground.y_g)?;
+            if now.hangs([oil, slews]) >= below {
+                now.stand(below, [oil, slews]);
+            }
         }
         if let Some(rope) = rope {
             let rate = if moving.winds_at_once() {
