@@ -11,6 +11,7 @@ from fmpy.validation import validate_fmu
 from scipy.integrate import solve_ivp
 
 from conftest import ROOT, lemnis, typst, words
+from test_fmpy import Slave
 
 ENDS = {"FMI 2": ".fmi2.fmu", "FMI 3": ".fmu"}
 SCENE = ROOT / "models/scenes/load_on_ground.toml"
@@ -253,6 +254,46 @@ v_h = { between = "steps", over = [["0 s", "0.3 m/s"], ["5 s", "0 m/s"], ["11 s"
 y_G = "GROUND m"
 
 """
+
+
+@pytest.mark.parametrize("standard", ENDS)
+def test_derivatives_in_closed_form_and_a_saved_state(commanded, standard, tmp_path):
+    """While the rope takes its part of a load that stands: N_G = Q - S_R cos phi_R, S_R = c_R (s_Q - l_R) + d_R (v_Q - v_R);
+    what was saved there goes on as it did."""
+    slave = Slave(commanded[standard], str(tmp_path / "fmu"))
+    time = 0.0
+
+    def step():
+        nonlocal time
+        slave.write("v_h", at(SPEEDS, time + 1e-9))
+        slave.fmu.doStep(currentCommunicationPoint=time, communicationStepSize=0.05)
+        time += 0.05
+
+    while not (time > 10.0 and slave.read("S_R") > 20e3):
+        step()
+    force, angle, ground = (slave.read(name) for name in ("S_R", "phi_R", "N_G"))
+    cosine, sine = math.cos(angle), math.sin(angle)
+    assert 20e3 < force < 90e3 and ground == pytest.approx(100e3 - force * cosine, rel=1e-12)
+    by = {"Q": 1.0, "s_Q": -STIFFNESS * cosine, "l_R": STIFFNESS * cosine, "v_Q": -DAMPING * cosine, "v_R": DAMPING * cosine,
+          "phi_R": force * sine, "omega_R": 0.0}
+    unknowns = [slave.references[name] for name in ("N_G", "S_R", "h_G", "der(v_Q)", "der(omega_R)")]
+    for known, wanted in by.items():
+        found = slave.fmu.getDirectionalDerivative(unknowns, [slave.references[known]], [1.0])
+        assert found[0] == pytest.approx(wanted, rel=1e-12, abs=1e-6), known
+        if known not in ("Q", "phi_R"):
+            assert found[1] * cosine == pytest.approx(-wanted, rel=1e-12), known
+        # It stands, whatever the rope pulls.
+        assert np.allclose(found[2:], 0.0, atol=1e-9), (known, found)
+    save, load = ("getFMUState", "setFMUState") if standard == "FMI 3" else ("getFMUstate", "setFMUstate")
+    saved, begun = getattr(slave.fmu, save)(), time
+    ends = []
+    for _ in range(2):
+        getattr(slave.fmu, load)(saved)
+        time = begun
+        for _ in range(20):
+            step()
+        ends.append([slave.read(name) for name in OUTPUTS])
+    assert ends[0] == ends[1] and ends[0][OUTPUTS.index("h_G")] > 0.05, "lifted"
 
 
 def test_beside_oil(tmp_path):

@@ -107,7 +107,8 @@ impl<P: Calc> MovingLinkage<P> {
         let alone = if held {
             still
         } else {
-            ((moment - r.moment - C::constant(0.5) * r.slope * m.omega * m.omega) / r.inertia).def(&s::ALPHA_0)
+            let driven = moment - r.moment - C::constant(0.5) * r.slope * m.omega * m.omega;
+            (driven.def(&s::M_NET) / r.inertia).def(&s::ALPHA_0)
         };
         let mass = self.dynamics.pendulum().map_or(still, |load| C::of(load.mass));
         let arm = r.arm(dot(d, out).def(&s::H_1R));
@@ -134,7 +135,7 @@ impl<P: Calc> MovingLinkage<P> {
             _ => alone,
         };
         // The load falls freely; seen from the head, which moves.
-        let fall = -weight - d * bar - dd * (m.omega * m.omega);
+        let fall = plane::def(-weight - d * bar - dd * (m.omega * m.omega), [&s::A_QX, &s::A_QY]);
         let swing = (dot(fall, along) - C::constant(2.0) * reel.rate * m.swing_rate) / reel.length;
         let free = || dot(fall, out) + reel.length * m.swing_rate * m.swing_rate;
         PlaneAccelerations {
