@@ -136,7 +136,7 @@ impl<P: Calc> MovingLinkage<P> {
         };
         // The load falls freely; seen from the head, which moves.
         let fall = plane::def(-weight - d * bar - dd * (m.omega * m.omega), [&s::A_QX, &s::A_QY]);
-        let swing = (dot(fall, along) - C::constant(2.0) * reel.rate * m.swing_rate) / reel.length;
+        let swing = (dot(fall, along).def(&s::A_QPHI) - C::constant(2.0) * reel.rate * m.swing_rate) / reel.length;
         let free = || dot(fall, out) + reel.length * m.swing_rate * m.swing_rate;
         PlaneAccelerations {
             bar,

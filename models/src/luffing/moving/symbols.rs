@@ -99,6 +99,7 @@ symbols! {
     A_AR: "a_AR" "a_(A R)" M_PER_S2 / M_PER_S2, "Acceleration of A along the rope, towards the load, less that of gravity.", "derived";
     A_QX: "a_Q.x" "a_(Q x)" M_PER_S2 / M_PER_S2, "Acceleration of the load from the head but for what its rope gives it, forward.", "derived";
     A_QY: "a_Q.y" "a_(Q y)" M_PER_S2 / M_PER_S2, "Acceleration of the load from the head but for what its rope gives it, upwards.", "derived";
+    A_QPHI: "a_Q.phi" "a_(Q phi)" M_PER_S2 / M_PER_S2, "Acceleration of the load from the head across its rope.", "derived";
     A_LR: "a_lR" "a_(l R)" M_PER_S2 / M_PER_S2, "Acceleration with which luffing adds rope.", "derived";
     D_PHI: "d_phi" "d_phi" M / M, "Travel of A across the rope for one radian of the driving link.", "derived";
     D_N: "d_n" "d_n" M / M, "Travel of A along the rope, away from the load, for one radian of the driving link.", "derived";
