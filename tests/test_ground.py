@@ -243,6 +243,18 @@ def test_in_model_exchange_as_in_co_simulation_while_the_crane_moves(slews, tmp_
         assert max(x) - min(x) < 1e-6
 
 
+@pytest.mark.parametrize("kind", ["CoSimulation", "ModelExchange"])
+def test_an_empty_hook_lies_until_its_rope_is_taut(commanded, kind):
+    """Unloaded on the ground and picked up, the hook hangs at its rope's end without a force; loaded there, on its stretch."""
+    loads = [(0.0, 100e3), (8.0, 0.0), (15.0, 60e3)]
+    run = simulate_fmu(commanded["FMI 3"], fmi_type=kind, stop_time=END, output_interval=0.25, output=OUTPUTS, record_events=False,
+                       input=signals(v_h=SPEEDS, Q=loads))
+    lies, hangs = (run["time"] > 8.1) & (run["time"] < 11.5), (run["time"] > 12.5) & (run["time"] < 14.9)
+    assert np.all(run["N_G"][lies | hangs] == 0.0) and np.all(run["S_R"][lies | hangs] == 0.0)
+    assert np.all(run["h_G"][lies] == 0.0) and np.allclose(run["s_Q"][hangs], run["l_R"][hangs], atol=1e-6)
+    assert run["S_R"][-1] == pytest.approx(60e3, rel=0.1)
+
+
 OIL = """[luffing.hoisting]
 l_R = "25 m"
 c_R = "2000 kN/m"
