@@ -100,6 +100,7 @@ SAID = {
     "luffing_cylinder": ({"level_hydraulic", "oil", "anti_cavitation", "load_holding", "pump_limits", "tank", "rope"}, {"sticking", "stops"}),
     "hydraulic_swing_slewing": ({"level_hydraulic", "rope", "hoist", "slewing"}, {"fixed_load", "stops"}),
     "portal_crane": ({"level_swing", "elastic_rope", "hoist_ramp", "slewing"}, {"rope", "slack", "hoist", "hoist_motor"}),
+    "load_on_ground": ({"level_swing", "elastic_rope", "hoist_ramp", "ground"}, {"rope", "slack", "air"}),
     "boat_hoist_003": ({"level_kinematic", "resistance"}, {"level_turning", "forces"}),
     "boat_hoist_003_hydraulic": ({"level_turning", "resistance"}, {"level_kinematic"}),
     "car_4x2": ({"level_kinematic"}, {"level_turning"}),

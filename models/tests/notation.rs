@@ -9,14 +9,14 @@ use lemnis_models::kernel::gravity;
 use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::luffing;
 use lemnis_models::luffing::double_link;
-use lemnis_models::parts::{air, hanging, hydraulics, motor, teeth, turntable};
+use lemnis_models::parts::{air, ground, hanging, hydraulics, motor, teeth, turntable};
 use lemnis_models::registry;
 use lemnis_models::slewing;
 use lemnis_models::steering;
 use lemnis_models::supports::{column, drive as drive_of_supports, mobile, portal, ring, upper};
 
 /// Every mechanism with its table.
-const TABLES: [(&str, &[&Symbol]); 26] = [
+const TABLES: [(&str, &[&Symbol]); 27] = [
     ("The double-link luffing mechanism", double_link::symbols::ALL),
     (
         "The double-link luffing mechanism in motion",
@@ -33,6 +33,7 @@ const TABLES: [(&str, &[&Symbol]); 26] = [
     ("The joint by which a crane slews", turntable::ALL),
     ("A load on its rope, from a head that joints move", hanging::ALL),
     ("Air around a load on its rope", air::ALL),
+    ("Ground below a load on its rope", ground::ALL),
     ("Slewing by itself", slewing::symbols::ALL),
     (
         "A mobile crane on its supports, seen from above: x forward, y to the left, angles counter-clockwise",

@@ -9,6 +9,7 @@ use lemnis_models::luffing::moving::crane::Commands;
 use lemnis_models::luffing::moving::dynamics::Coordinate;
 use lemnis_models::luffing::moving::motion::{self, MovingLinkage};
 use lemnis_models::luffing::moving::space::{Slewing, SlewingState, angles};
+use lemnis_models::parts::ground::Surroundings;
 use lemnis_models::parts::hanging::HangingLoad;
 use lemnis_models::parts::hoist::{Drum, Hoist, HoistCommand, RopeAction};
 use lemnis_models::parts::joint::{Bar, Friction, Joint, JointDrive};
@@ -95,7 +96,11 @@ fn accelerations_agree_with_points_in_space() {
             drum: None,
         };
         let r = f64::reduced(&d, theta).expect("closes");
-        let a = d.slewed(&r, [omega, turning], load, [m_1, m_2], line, [true; 2], None);
+        let around = Surroundings::Free {
+            gravity: Vector3::new(0.0, -G, 0.0),
+            air: None,
+        };
+        let a = d.slewed(&r, [omega, turning], load, [m_1, m_2], line, [true; 2], around);
         let found = [a.joints[0], a.joints[1], a.load.x, a.load.y, a.load.z, a.rope / M];
         for (i, (found, expected)) in found.iter().zip(&cells[12..]).enumerate() {
             let expected = if i == 5 { expected / M } else { *expected };

@@ -37,6 +37,8 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     n.keep("hoisting", rope && hoists);
     let blows = n.draw.coin(0.5);
     n.keep("air", rope && blows);
+    let bears = n.draw.coin(0.5);
+    n.keep("ground", rope && hoists && bears);
     if moves {
         n.keep("weights", true);
     }

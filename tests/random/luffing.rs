@@ -135,6 +135,8 @@ fn parts(n: &mut Node, level: &str, [moves, oil, rope]: [bool; 3]) {
     n.keep("hoisting", rope && hoists);
     let blows = n.draw.coin(0.5);
     n.keep("air", rope && blows);
+    let bears = n.draw.coin(0.5);
+    n.keep("ground", rope && hoists && bears);
     let tabulated = n.draw.coin(0.5);
     n.keep("table", matches!(level, "table" | "auto") && tabulated);
     if moves {
@@ -645,6 +647,17 @@ pub fn air(n: &mut Node, long: f64, slews: bool) {
     air.keep("chi_air", slews && air.has("chi_air"));
 }
 
+/// Ground below any place that the head may be at, at times above where the load hangs.
+fn ground(n: &mut Node) {
+    let bars = ["X_1", "X_2", "X_3", "X_4", "X_5", "X_6", "l", "f_A", "a", "c"];
+    let there = bars.into_iter().filter(|name| n.has(name)).collect::<Vec<_>>();
+    let head: f64 = there.into_iter().map(|name| n.get(name).abs()).sum();
+    let long = n.child("hoisting").expect("there").get("l_R");
+    let mut ground = n.child("ground").expect("there");
+    let below = long * ground.draw.between(0.1, 1.5);
+    ground.set("y_G", -head - below);
+}
+
 /// What moves a mechanism; `turns` names the inertia of a body that does.
 pub fn dynamics(n: &mut Node, turns: &str, rope: bool, oil: bool) {
     let [length, mass, time] = n.draw.scale;
@@ -705,6 +718,11 @@ pub fn dynamics(n: &mut Node, turns: &str, rope: bool, oil: bool) {
                 turning.set(name, stop);
             }
         }
+    }
+    let gives = n.child("hoisting").is_some_and(|hoist| hoist.has("c_R"));
+    n.keep("ground", gives && n.has("ground"));
+    if n.has("ground") {
+        ground(n);
     }
     if n.has("air") {
         let table = if n.has("hoisting") { "hoisting" } else { "dynamics" };

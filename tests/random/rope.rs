@@ -36,6 +36,8 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     n.keep("hoisting", swings && hoists);
     let blows = n.draw.coin(0.5);
     n.keep("air", swings && blows);
+    let bears = n.draw.coin(0.5);
+    n.keep("ground", swings && hoists && bears);
     if moves {
         n.keep("weights", true);
     }

@@ -11,7 +11,7 @@ use crate::kernel::calc::Calc;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::schema::Values;
 use crate::kernel::symbol::{Symbol, symbols};
-use crate::parts::air::Stream;
+use crate::parts::ground::Surroundings;
 use crate::parts::hoist::RopeAction;
 
 symbols! {
@@ -319,15 +319,14 @@ pub struct Accelerations<C, const J: usize> {
 }
 
 impl<C: Calc, const J: usize> HeadJoints<C, J> {
-    /// With a load of a mass (kg), and the mass that [cancels](cancelling), under gravity (m/s²) on a rope which acts on it
-    /// as a line, and in air where there is any.
+    /// With a load of a mass (kg), and the mass that [cancels](cancelling), on a rope which acts on it as a line, and what
+    /// else acts on it.
     pub fn hung(
         &self,
         load: HangingLoad<C>,
         [mass, any]: [C; 2],
-        gravity: Vector3<C>,
         line: RopeAction<C>,
-        air: Option<&Stream<C>>,
+        around: Surroundings<'_, C>,
     ) -> Accelerations<C, J> {
         let (zero, two, last) = (C::constant(0.0), C::constant(2.0), J - 1);
         let (head, turning) = (&self.head, self.rates[last]);
@@ -344,7 +343,10 @@ impl<C: Calc, const J: usize> HeadJoints<C, J> {
         let from_axis = Vector3::new(from_axis.x.def(&R_QX), from_axis.y, from_axis.z);
         let mut rate = load.rate;
         // Of the free load, seen from a head whose joints keep their rates.
-        let mut fall = gravity;
+        let (mut fall, air) = match around {
+            Surroundings::Free { gravity, air } => (gravity, air),
+            Surroundings::Ground => (Vector3::new(zero, zero, zero), None),
+        };
         if let Some(bend) = self.bend {
             rate += scaled(head[0], self.rates[0]);
             rate = Vector3::new(rate.x.def(&U_X), rate.y.def(&U_Y), rate.z);
@@ -373,7 +375,7 @@ impl<C: Calc, const J: usize> HeadJoints<C, J> {
             relative -= scaled(*by, *joint);
         }
         relative -= scaled(turned(from_axis), joints[last]);
-        if let Some(rope) = &rope {
+        if let (Some(rope), Surroundings::Free { .. }) = (&rope, around) {
             relative -= scaled(rope.direction, pull);
         }
         Accelerations {

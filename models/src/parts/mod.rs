@@ -1,4 +1,4 @@
-//! What several mechanisms are made of: plane geometry, air, a four-bar, joints, buckling, slewing, teeth, a load curve, a load on its rope, a hoist, a body on springs, motors with brakes, motion over a range, oil, solvers.
+//! What several mechanisms are made of: plane geometry, air, ground, a four-bar, joints, buckling, slewing, teeth, a load curve, a load on its rope, a hoist, a body on springs, motors with brakes, motion over a range, oil, solvers.
 
 pub mod air;
 pub mod arcs;
@@ -6,6 +6,7 @@ pub mod buckling;
 pub mod closure;
 mod dead_points;
 pub mod four_bar;
+pub mod ground;
 pub mod hanging;
 pub mod hoist;
 pub mod hull;

@@ -6,6 +6,7 @@ use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::quantities;
 use crate::parts::air::Stream;
+use crate::parts::ground::Surroundings;
 use crate::parts::hanging::{Accelerations, HangingLoad, HeadJoints, cancelling, dot};
 use crate::parts::hoist::RopeAction;
 use crate::parts::joint::{Bar, LOOSE, above_zero};
@@ -133,7 +134,11 @@ impl<C: Calc> Swinging<C> {
             RopeAction::Slack
         };
         let masses = [carried.mass, cancelling(carried.mass)];
-        let found = joints.hung(load, masses, gravity(hung, slope.as_ref(), psi), line, stream);
+        let around = Surroundings::Free {
+            gravity: gravity(hung, slope.as_ref(), psi),
+            air: stream,
+        };
+        let found = joints.hung(load, masses, line, around);
         Swinging {
             load,
             needs: -driving(driven, leaning) - found.rope * found.arms[0],

@@ -15,6 +15,7 @@ use crate::luffing::moving::hoisting::HOISTING_KEYS;
 use crate::luffing::moving::scene::{OIL_KEYS, SLEWING_KEYS};
 use crate::luffing::resistances::scene::CASES;
 use crate::parts::air::AIR;
+use crate::parts::ground::GROUND;
 use crate::parts::motion::Motion;
 
 /// Keys of `[luffing]`.
@@ -45,6 +46,7 @@ pub const KEYS: &[Key] = &[
     Key::part("dynamics", moving::scene::KEYS, "Inertias, friction, drive and rope of a mechanism in motion."),
     HOISTING,
     AIR,
+    GROUND,
     Key::part("hydraulics", OIL_KEYS, "Oil, valve and lines of the luffing cylinder in motion."),
     Key::part("table", TABLE, "Interpolation of the level \"table\"."),
     SLEWING,

@@ -26,12 +26,21 @@ const OWN_USES: [Purpose; 10] = [
     ("stops", listed!(turntable: PSI_MIN, PSI_MAX)),
 ];
 
-/// Of the oil, over a cycle of commands.
-pub const FOLLOWED: &[&Symbol] = listed!(h: Q_ACA, Q_ACB, Y_LHA, Y_LHB, P_S);
+/// Of the oil, of the rope and of a load put down, over a cycle of commands.
+pub const FOLLOWED: &[&Symbol] = &[
+    &h::Q_ACA,
+    &h::Q_ACB,
+    &h::Y_LHA,
+    &h::Y_LHB,
+    &h::P_S,
+    &m::S_R,
+    &m::H_G,
+    &m::N_G,
+];
 
 pub const OUTLINE: Outline = Outline {
     inputs: chapters! {
-        geometry "", weights, drive, balance, load "Q", motion, moving "dynamics", hoisting, air, slewing, oil "hydraulics",
+        geometry "", weights, drive, balance, load "Q", motion, moving "dynamics", hoisting, air, ground, slewing, oil "hydraulics",
         cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_brake "cases.brake", case_second_brake "cases.second_brake",
         case_buckling "cases.buckling", case_teeth "cases.teeth", case_nut "cases.nut", case_pin_sizes "cases.pin_size", limits
     },

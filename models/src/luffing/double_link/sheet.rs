@@ -47,7 +47,7 @@ use crate::parts::motion::Motion;
 use crate::parts::motor;
 use crate::parts::teeth;
 use crate::parts::turntable;
-use crate::parts::{air, hanging, hydraulics};
+use crate::parts::{air, ground, hanging, hydraulics};
 
 /// What is told of a plain boom, for which jib and rocker only stand in: its balance, its drive and these.
 const OF_BOOM: [&Symbol; 10] = [
@@ -85,6 +85,7 @@ impl Described for LuffingScene {
             teeth::ALL,
             strength::symbols::ALL,
             air::ALL,
+            ground::ALL,
             hanging::ALL,
             turntable::ALL,
             gravity::ALL,
@@ -137,6 +138,7 @@ impl Described for LuffingScene {
             motor: None,
             give: None,
             around: None,
+            ground: None,
             turning: None,
             oil: None,
             oil_parts: None,
@@ -204,6 +206,7 @@ impl Described for LuffingScene {
                 ("dynamics", &[]),
                 ("hoisting", &[]),
                 ("air", &[]),
+                ("ground", &[]),
                 ("slewing", &[]),
                 ("hydraulics", &[]),
             ],
@@ -215,6 +218,7 @@ impl Described for LuffingScene {
             unused.extend([
                 ("slewing", &["chi_R"][..]),
                 ("hoisting", &[]),
+                ("ground", &[]),
                 ("dynamics", &["l_R", "phi_R", "v_h", "a_h"][..]),
                 ("limits", &["phi_max"][..]),
             ]);

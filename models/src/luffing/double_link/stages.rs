@@ -69,6 +69,7 @@ use crate::luffing::strength::teeth::{Mesh, Toothed};
 use crate::luffing::with_balance::WithBalance;
 use crate::parts::air::AirAround;
 use crate::parts::four_bar::FourBar;
+use crate::parts::ground::GroundBelow;
 use crate::parts::hydraulics::parts::OilParts;
 use crate::parts::motion::{Motion, degrees};
 use crate::parts::plane::Point;
@@ -96,6 +97,7 @@ stages! {
         Parameter motor: Option<HoistMotor<C>>,
         Parameter give: Option<RopeGive<C>>,
         Parameter around: Option<AirAround<C>>,
+        Parameter ground: Option<GroundBelow<C>>,
         Parameter turning: Option<Turning<C>>,
         Parameter oil: Option<CylinderOil<C>>,
         Parameter oil_parts: Option<OilParts<C>>,
@@ -181,7 +183,7 @@ stages! {
         sheared[each cases]: Vec<Sheared<C>> = Sheared::new(sizes[!], chosen[!], pinned[each]);
         parameters: Parameters<C> = parameters(lengths, jib, weights, mount, cylinder, balance, choice) => _;
         parts[constants]: Vec<CraneParts<C>> = motion::parts(
-            parameters, load[!], inertias[!], constants[!], ramp, motor, give, around, turning, oil, oil_parts, fitted, choice
+            parameters, load[!], inertias[!], constants[!], ramp, motor, give, around, ground, turning, oil, oil_parts, fitted, choice
         ) => _;
         linkage[constants]: Vec<Renewed<HeavyLinkage<C>>> = motion::linkage(parts) => _;
         built[constants]: Vec<Level<C>> = motion::built(parts, linkage) => _;
@@ -197,6 +199,8 @@ stages! {
         forces: CraneForces<C> = motion::forces(linkage, built, told, at, theta);
         air_force: C = stages::air_force(built, told, at, theta, around[!]) => F_AIR;
         air_power: C = stages::air_power(built, told, at, theta, around[!]) => P_AIR;
+        ground_force: C = stages::ground_force(built, told, at, theta, ground[!]) => N_G;
+        height: C = stages::height(built, told, at, theta, ground[!]) => H_G;
         blown: C = stages::blown(at) => W_BLOW;
         resisting_slewing: C = stages::resisting_slewing(built, told, at, theta) => M_R_SL;
         seen: LoadSeen<C> = LoadSeen::new(at, fitted);

@@ -38,6 +38,7 @@ use crate::luffing::moving::given::Fitted;
 use crate::luffing::moving::hoisting::{HOISTING_KEYS, load_taken};
 use crate::luffing::moving::levels;
 use crate::luffing::moving::scene::{Inert, Moving, brisk, dynamics, turns};
+use crate::luffing::moving::symbols as m;
 use crate::luffing::moving::told::motion::moved;
 use crate::luffing::moving::told::shown::running;
 use crate::luffing::resistances::scene::{CASES, Cases, left};
@@ -45,11 +46,12 @@ use crate::luffing::resistances::{self, checks, told};
 use crate::luffing::strength;
 use crate::luffing::with_balance::{WithBalance, searched};
 use crate::parts::air::AIR;
+use crate::parts::ground::GROUND;
 use crate::parts::motion::{Motion, degrees};
 use crate::parts::motor;
 use crate::parts::plane::Point;
 use crate::parts::teeth;
-use crate::parts::{air, hanging, hydraulics};
+use crate::parts::{air, ground, hanging, hydraulics};
 
 /// Keys of `[luffing]` with `kind = "ellipsograph"`.
 pub const KEYS: &[Key] = &[
@@ -72,6 +74,7 @@ pub const KEYS: &[Key] = &[
         "Inertias, friction, drive and rope of a boom in motion.",
     ),
     AIR,
+    GROUND,
     Key::part("hoisting", HOISTING_KEYS, "Rope and hoist of a load that swings."),
     INTERPOLATION,
     CASES,
@@ -115,6 +118,7 @@ impl Described for Ellipsograph {
     const ID: &'static str = "ellipsograph";
     const TABLE: &'static str = "luffing";
     const OUTLINE: &'static Outline = &OUTLINE;
+    const FOLLOWED: &'static [&'static Symbol] = listed!(m: S_R, H_G, N_G);
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "ellipsograph_symbol",
         own: &[s::ALL],
@@ -128,6 +132,7 @@ impl Described for Ellipsograph {
             teeth::ALL,
             strength::symbols::ALL,
             air::ALL,
+            ground::ALL,
             hanging::ALL,
             hydraulics::symbols::ALL,
         ],
@@ -183,6 +188,7 @@ impl Described for Ellipsograph {
             motor: None,
             give: None,
             around: None,
+            ground: None,
             wound: None,
             past: None,
             fitted: Fitted::default(),

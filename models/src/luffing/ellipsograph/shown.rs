@@ -46,7 +46,15 @@ impl Shown for Ellipsograph {
 
     const ASSEMBLED: &'static [&'static Symbol] = &[&s::J_BQ];
 
-    const STAGES: &'static [&'static str] = &["moves", "pull", "acting", "countered", "forces"];
+    const STAGES: &'static [&'static str] = &[
+        "moves",
+        "pull",
+        "height",
+        "ground_force",
+        "acting",
+        "countered",
+        "forces",
+    ];
 
     const DRIVE: Drawn = ("motion_drive", &m::M_A);
 

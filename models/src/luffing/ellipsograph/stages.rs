@@ -61,6 +61,7 @@ use crate::luffing::strength::teeth::{Mesh, Toothed};
 use crate::luffing::with_balance::WithBalance;
 use crate::parts::air::AirAround;
 use crate::parts::four_bar::FourBar;
+use crate::parts::ground::GroundBelow;
 use crate::parts::plane::Point;
 
 /// Quantities at rest and in motion, and of the drive.
@@ -68,7 +69,7 @@ mod s {
     pub use crate::balance::symbols::{F_KX, F_KY, F_MX, F_MY, N_1};
     pub use crate::drive::symbols::{F_D, L_D, Q_D, T_CR, V_D};
     pub use crate::luffing::ellipsograph::symbols::*;
-    pub use crate::luffing::moving::symbols::{F_AIR, M_R, M_R_H, P_AIR, S_R, W_BLOW};
+    pub use crate::luffing::moving::symbols::{F_AIR, H_G, M_R, M_R_H, N_G, P_AIR, S_R, W_BLOW};
     pub use crate::luffing::resistances::symbols::F_R;
     pub use crate::luffing::strength::symbols::{P_C, U_K};
 }
@@ -86,6 +87,7 @@ stages! {
         Parameter motor: Option<HoistMotor<C>>,
         Parameter give: Option<RopeGive<C>>,
         Parameter around: Option<AirAround<C>>,
+        Parameter ground: Option<GroundBelow<C>>,
         Memory wound: Option<One<C>>,
         Memory past: Option<Modes>,
         Load load: Option<One<C>>,
@@ -165,7 +167,7 @@ stages! {
         guided: GuidedParts<C> = GuidedParts::new(bars, weights[!], inertias[!], choice) => _;
         hoist: HoistParts<C> = HoistParts::new(ramp, motor, give) => _;
         parts[constants]: Vec<SingleParts<Guided, C>> = single::parts(
-            guided, load[!], balance, hoist, around, constants[!], fitted
+            guided, load[!], balance, hoist, around, ground, constants[!], fitted
         ) => _;
         boom[constants]: Vec<Renewed<Heavy<Guided, C>>> = single::heavy(parts) => _;
         built[constants]: Vec<Level<C>> = single::built(parts, boom) => _;
@@ -182,6 +184,8 @@ stages! {
         forces: GuidedForces<C> = forces(bars, boom, phi, position, acting, drive[?]);
         air_force: C = stages::air_force(built, told, at, phi, around[!]) => F_AIR;
         air_power: C = stages::air_power(built, told, at, phi, around[!]) => P_AIR;
+        ground_force: C = stages::ground_force(built, told, at, phi, ground[!]) => N_G;
+        height: C = stages::height(built, told, at, phi, ground[!]) => H_G;
         blown: C = stages::blown(at) => W_BLOW;
         events: CraneEvents<C> = stages::events(built, told, at, phi, fitted);
     }

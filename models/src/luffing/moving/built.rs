@@ -11,6 +11,7 @@ use crate::luffing::moving::motion::MovingLinkage;
 use crate::luffing::moving::space::Slewing;
 use crate::luffing::moving::symbols as m;
 use crate::parts::air::{AirAround, AirDrag};
+use crate::parts::ground::GroundBelow;
 use crate::parts::hoist::{Elastic, Hoist, HoistCommand, Winch, WinchDrive};
 use crate::parts::hydraulics::cylinder::Cylinder;
 use crate::parts::joint::{Friction, Joint, JointDrive};
@@ -92,6 +93,7 @@ pub struct LevelParts<P: Calc> {
     pub cylinder: Option<Cylinder<P>>,
     /// Around the load.
     pub around: Option<AirAround<P>>,
+    pub ground: Option<GroundBelow<P>>,
     pub fitted: Fitted,
 }
 
@@ -111,6 +113,9 @@ impl<P: Coordinate<P>> LevelParts<P> {
                 drag: AirDrag::new(around, constants.g),
                 blows: [still; 2],
             });
+        }
+        if let Some(ground) = self.ground {
+            dynamics = dynamics.above_ground(ground.y_g);
         }
         if let Some(turning) = self.turning {
             dynamics = dynamics.with_slewing(Turntable {

@@ -8,6 +8,7 @@ use crate::component::running::Running;
 use crate::component::standing::Standing;
 use crate::kernel::group::Group;
 use crate::kernel::number::short;
+use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::{Fault, Role};
 use crate::luffing::moving::crane::REELED_IN;
 use crate::luffing::moving::given::{CraneStates, Inputs, L_R, S_Q, STATES, V_R, order};
@@ -133,6 +134,20 @@ fn paying_out(given: &MotionSources, size: f64) -> f64 {
     rate * time + change.signum() * 0.5 * ramp.a_h * time * time + command * (size - time)
 }
 
+/// Whether setting a variable moves the ground, or what is beside the rope.
+fn shifts((symbol, role): (&'static Symbol, Role)) -> bool {
+    symbol == &m::Y_G || (role == Role::State && ![&m::L_R, &m::V_R].contains(&symbol))
+}
+
+/// Whether a load that stands on the ground does so is decided again.
+fn lift<T: Luffs>(model: &mut Standing) {
+    let mut at = at::<T>(model);
+    if at.past.grounded {
+        at.past.grounded = false;
+        put::<T>(model, &at);
+    }
+}
+
 impl<T: Luffs> CarriedCrane<T> {
     fn decide(&mut self, model: &mut Standing) -> Result<bool, Fault> {
         let (level, mut at) = T::in_motion(known::<T>(model)).map_err(|fault| *fault)?;
@@ -179,7 +194,7 @@ impl<T: Luffs> Carrier for CarriedCrane<T> {
         model.check(0, value)?;
         let mut at = at::<T>(model);
         (at.y[0], at.y[1]) = (value, model.motion().speed);
-        at.past.joints[0] = Bar::Forward;
+        (at.past.joints[0], at.past.grounded) = (Bar::Forward, false);
         put::<T>(model, &at);
         self.ahead.restart(&at.y);
         Ok(())
@@ -215,6 +230,9 @@ impl<T: Luffs> Carrier for CarriedCrane<T> {
     /// load is far.
     fn changed(&mut self, model: &mut Standing, which: Option<usize>) {
         let set = which.map(|index| (model.variables()[index].symbol, model.variables()[index].role));
+        if set.is_some_and(shifts) {
+            lift::<T>(model);
+        }
         if set.is_some_and(|(_, role)| role != Role::State) {
             self.ahead.interrupt();
             return;

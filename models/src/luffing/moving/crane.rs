@@ -11,6 +11,7 @@ use crate::kernel::calc::Calc;
 use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
 use crate::luffing::moving::reduced::Reduced;
 use crate::luffing::moving::symbols as s;
+use crate::parts::ground::Raised;
 use crate::parts::hoist::{Drum, Elastic, Hoist, HoistCommand, HoistPowers, RopeAction};
 use crate::parts::joint::{Arrival, Bar, Joint, JointDrive, LOOSE, above_zero};
 use crate::parts::solver::{Halt, finite};
@@ -50,6 +51,8 @@ pub struct CraneState<const N: usize, const J: usize> {
     pub drum: Drum,
     /// The load hangs on the rope, or flies free.
     pub taut: bool,
+    /// It stands on the ground.
+    pub grounded: bool,
     /// Where the rope that drives luffing is slack: the angle (rad) at which it is taut again.
     pub slack: Option<f64>,
     /// Energy that blows have taken so far, in J; what they gave counts negative.
@@ -65,6 +68,7 @@ impl<const N: usize, const J: usize> CraneState<N, J> {
             joints: [Bar::Held; J],
             drum: Drum::at(0.0),
             taut: true,
+            grounded: false,
             slack: None,
             blown: 0.0,
         }
@@ -92,10 +96,12 @@ pub struct MovingCrane<const N: usize, const J: usize, P = f64> {
 pub(crate) const REELED_IN: f64 = 1e-4;
 /// Part of an energy that rounding may be.
 const ROUNDING: f64 = 1e-14;
+/// Rounding of a place, over its size, that an event leaves as it is.
+pub(crate) const FEW: f64 = 16.0 * f64::EPSILON;
 /// Changes at one instant.
 pub(crate) const MOST_CHANGES: u32 = 16;
-/// Most event indicators: four for each of two joints, that of the rope, and two of the hoist.
-pub const MOST_INDICATORS: usize = 11;
+/// Most event indicators: four for each of two joints, that of the rope, two of the hoist, and that of the ground.
+pub const MOST_INDICATORS: usize = 12;
 
 /// A crane over any scalar: how it moves between events, what the mechanism is at its angle, states and commands.
 #[derive(Clone, Copy, Debug)]
@@ -128,6 +134,9 @@ pub trait Hangs<const N: usize, const J: usize, P: Calc> {
     /// Its sign, that of an empty hook too.
     fn slackening_by<C: Coordinate<P>>(&self, a: &Self::Accelerations<C>, at: &Snapshot<N, J, C>) -> C;
 
+    /// The load above ground at a height (m).
+    fn raised<C: Coordinate<P>>(&self, ground: P, at: &Snapshot<N, J, C>) -> Raised<C>;
+
     /// Force of the air over the mass of the load (m/s²), and the power over mass that it takes (W/kg), where there is any.
     fn felt<C: Coordinate<P>>(&self, at: &Snapshot<N, J, C>) -> Option<[C; 2]>;
 
@@ -152,6 +161,9 @@ pub trait Struck<const N: usize, const J: usize>: Hangs<N, J, f64> {
 
     /// A rope that keeps its length lets go where it would push, and catches the load with a plastic blow along itself.
     fn switched(&self, state: &mut CraneState<N, J>, r: &Reduced<f64>, commands: &Commands<J>);
+
+    /// The load is put at rest on ground at a height (m), straight below or above where it is.
+    fn put_down(&self, state: &mut CraneState<N, J>, r: &Reduced<f64>, ground: f64);
 
     /// The load's height above the foot (m), and the square of its speed against the ground (m²/s²).
     fn height_and_speed(&self, state: &CraneState<N, J>, r: &Reduced<f64>) -> [f64; 2];
@@ -289,7 +301,8 @@ where
     }
 
     /// Numbers whose fall below zero ends a smooth piece: each joint comes to rest or (two) breaks loose, meets its lower or
-    /// its upper stop; the rope becomes slack or taut; the hoist runs as commanded, or comes to rest or (two) breaks loose.
+    /// its upper stop; the rope becomes slack or taut; the hoist runs as commanded, or comes to rest or (two) breaks loose;
+    /// the load touches the ground or is lifted.
     /// After an event all are above zero.
     #[must_use]
     pub fn indicators<C: Coordinate<P>>(
@@ -319,6 +332,9 @@ where
             out[4 * J] = self.slackening(hoist, at);
             let reaching = (state.drum).reaching(hoist, &commands.hoist, y[N - 1], || self.tension(at));
             out[4 * J + 1..4 * J + 3].copy_from_slice(&reaching);
+        }
+        if let Some(ground) = self.dynamics.ground() {
+            out[4 * J + 3] = self.grounding(ground, at);
         }
         out.map(above_zero)
     }
@@ -377,6 +393,7 @@ where
                 Some(Some(rope)) => state.taut = Elastic::<f64>::pulls(state.taut, Self::stretched(rope, &r, &state.y)),
                 Some(None) => self.switched(state, &r, commands),
             }
+            self.land(state, &r, commands);
             for i in 0..J {
                 if state.joints[i] == Bar::Held {
                     state.joints[i] = Bar::loosened(self.held(i, &state.at(&r, commands)));
@@ -396,7 +413,7 @@ where
         if !finite(&state.y) {
             return Err(Halt::Outside);
         }
-        if Self::jumped(&first, state) {
+        if Self::jumped(&first, state) || first.grounded != state.grounded {
             state.blown += lost(self.energy(&first).zip(self.energy(state)));
         }
         Ok(*state != first)

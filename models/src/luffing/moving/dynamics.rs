@@ -47,6 +47,8 @@ pub struct Dynamics<P = f64> {
     /// In m/s².
     gravity: P,
     air: Option<Wind<P>>,
+    /// Height of the ground, in m.
+    ground: Option<P>,
     latest: Latest,
 }
 
@@ -106,6 +108,7 @@ impl<P: Calc> Dynamics<P> {
             pendulum,
             gravity,
             air: None,
+            ground: None,
             latest: Latest::default(),
         }
     }
@@ -115,6 +118,19 @@ impl<P: Calc> Dynamics<P> {
     pub fn in_air(mut self, air: Wind<P>) -> Dynamics<P> {
         self.air = Some(air);
         self
+    }
+
+    /// With ground below the load, at a height in m.
+    #[must_use]
+    pub fn above_ground(mut self, height: P) -> Dynamics<P> {
+        self.ground = Some(height);
+        self
+    }
+
+    /// Height of the ground below the load, in m, where there is any.
+    #[must_use]
+    pub fn ground(&self) -> Option<P> {
+        self.ground
     }
 
     /// With the wind that blows: speed (m/s) and direction (rad), where there is air.

@@ -24,7 +24,7 @@ const TRACE: f64 = 1e-6;
 
 /// Every way of a joint.
 const WAYS: [Bar; 3] = [Bar::Held, Bar::Forward, Bar::Backward];
-/// Every way in which a load hangs.
+/// Every way in which a load hangs, or stands on the ground.
 const HANGS: [(bool, Bar); 3] = [(true, Bar::Held), (true, Bar::Forward), (false, Bar::Held)];
 
 /// States with no number that is special, in all ways of moving: over the range of the angle and beyond its ends, relief
@@ -34,6 +34,13 @@ fn lively(luffing: &LuffingGiven, now: &CraneAt) -> Vec<CraneAt> {
     let length = given.states.map_or(0.0, |states| states.0[L_R]);
     let (slews, rope) = (given.turning.is_some(), given.fitted.rope.is_some());
     let first = if given.oil.is_some() { FIXED } else { 2 };
+    let stands: &[bool] = if given.ground.is_some() {
+        &[false, true]
+    } else {
+        &[false]
+    };
+    let hangs = HANGS.into_iter();
+    let hangs = hangs.flat_map(|(taut, way)| stands.iter().map(move |grounded| (taut, way, *grounded)));
     let mut found = Vec::new();
     for part in [-1e-3, 0.217, 0.613, 0.871, 1.001] {
         for sign in [1.0, -1.0] {
@@ -57,12 +64,13 @@ fn lively(luffing: &LuffingGiven, now: &CraneAt) -> Vec<CraneAt> {
                 }
                 for luffing in WAYS {
                     for slewing in WAYS {
-                        for (taut, way) in HANGS {
+                        for (taut, way, grounded) in hangs.clone() {
                             let drum = Drum { way, command: 0.0 };
                             at.past = Modes {
                                 joints: [luffing, slewing],
                                 drum,
                                 taut,
+                                grounded,
                                 slack: None,
                                 blown: 0.0,
                             };

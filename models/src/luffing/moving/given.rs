@@ -162,18 +162,31 @@ fn bar(way: f64) -> Bar {
     }
 }
 
-fn numbers(modes: &Modes) -> [f64; PAST_NUMBERS] {
-    let [luffing, slewing] = modes.joints.map(way);
-    let (drum, taut) = (modes.drum, f64::from(modes.taut));
-    [luffing, slewing, way(drum.way), drum.command, taut, modes.blown]
+/// How the load hangs, as a number: one where its rope is taut, and two more where it stands on the ground.
+fn hanging(modes: &Modes) -> f64 {
+    f64::from(modes.taut) + 2.0 * f64::from(modes.grounded)
 }
 
-fn modes([luffing, slewing, drum, command, taut, blown]: [f64; PAST_NUMBERS]) -> Modes {
+fn numbers(modes: &Modes) -> [f64; PAST_NUMBERS] {
+    let [luffing, slewing] = modes.joints.map(way);
+    let drum = modes.drum;
+    [
+        luffing,
+        slewing,
+        way(drum.way),
+        drum.command,
+        hanging(modes),
+        modes.blown,
+    ]
+}
+
+fn modes([luffing, slewing, drum, command, hanging, blown]: [f64; PAST_NUMBERS]) -> Modes {
     let way = bar(drum);
     Modes {
         joints: [bar(luffing), bar(slewing)],
         drum: Drum { way, command },
-        taut: taut != 0.0,
+        taut: hanging == 1.0 || hanging == 3.0,
+        grounded: hanging >= 2.0,
         slack: None,
         blown,
     }

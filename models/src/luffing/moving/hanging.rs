@@ -13,6 +13,7 @@ use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
 use crate::luffing::moving::reduced::Reduced;
 use crate::luffing::moving::symbols as s;
 use crate::parts::air::Stream;
+use crate::parts::ground::Surroundings;
 use crate::parts::hanging::{Accelerations, HangingLoad, HeadJoints};
 use crate::parts::hoist::RopeAction;
 
@@ -31,8 +32,24 @@ impl<P: Calc> Dynamics<P> {
         Some(Stream::new(air.drag.over(), air.blows.map(C::of), psi))
     }
 
+    /// What acts on the load besides its rope: the ground on which it stands, or gravity and air.
+    pub(crate) fn surroundings<'a, C: Coordinate<P>>(
+        &self,
+        grounded: bool,
+        air: Option<&'a Stream<C>>,
+    ) -> Surroundings<'a, C> {
+        let zero = C::constant(0.0);
+        match grounded {
+            true => Surroundings::Ground,
+            false => Surroundings::Free {
+                gravity: Vector3::new(zero, -C::of(self.gravity()), zero),
+                air,
+            },
+        }
+    }
+
     /// Motion under moments on both joints (N·m) at rates of the joints (rad/s), of those that are free; the load only
-    /// where there is one on a rope, which acts on it as a line.
+    /// where there is one on a rope, which acts on it as a line, and what else acts on it.
     #[expect(clippy::too_many_arguments, reason = "all that moves it")]
     pub fn slewed<C: Coordinate<P>>(
         &self,
@@ -42,7 +59,7 @@ impl<P: Calc> Dynamics<P> {
         moments: [C; 2],
         line: RopeAction<C>,
         free: [bool; 2],
-        air: Option<&Stream<C>>,
+        around: Surroundings<'_, C>,
     ) -> Accelerations<C, 2> {
         let (zero, half) = (C::constant(0.0), C::constant(0.5));
         let [inertia, slope] = r.turn;
@@ -78,7 +95,6 @@ impl<P: Calc> Dynamics<P> {
             names: [self.names().acceleration, &s::D_OMEGA_SL],
         };
         let masses = [C::of(pendulum.mass), C::of(pendulum.cancelling())];
-        let gravity = Vector3::new(zero, -C::of(self.gravity()), zero);
-        joints.hung(load, masses, gravity, line, air)
+        joints.hung(load, masses, line, around)
     }
 }

@@ -6,7 +6,8 @@ use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Values};
 use crate::kernel::symbol::Symbol;
 use crate::luffing::moving::symbols as s;
-use crate::parts::air::AirAround;
+use crate::parts::air::{AIR, AirAround, around};
+use crate::parts::ground::{GROUND, GroundBelow, below};
 
 /// Keys of `[luffing.hoisting]`.
 pub static HOISTING_KEYS: &[Key] = keys! { s:
@@ -56,6 +57,8 @@ pub struct LoadRope {
     pub give: Option<RopeGive<f64>>,
     /// `None` where nothing resists the load.
     pub air: Option<AirAround<f64>>,
+    /// `None` where there is nothing below the load.
+    pub ground: Option<GroundBelow<f64>>,
 }
 
 /// Ids of what the model takes for granted of load, rope and hoist; `fixed` where there is no rope.
@@ -73,7 +76,8 @@ pub fn load_taken(rope: Option<&LoadRope>, fixed: &'static str) -> impl Iterator
         HoistKind::Motor(_) => "hoist_motor",
     });
     let air = rope.and_then(|rope| rope.air).map(|_| "air");
-    [Some(load), slack, hoist, air].into_iter().flatten()
+    let ground = rope.and_then(|rope| rope.ground).map(|_| "ground");
+    [Some(load), slack, hoist, air, ground].into_iter().flatten()
 }
 
 /// The table that has the rope and its hoist: `[luffing.hoisting]`, or `[luffing.dynamics]`.
@@ -115,6 +119,7 @@ pub fn load_rope(table: &Values, fidelity: &str) -> Result<Option<LoadRope>, Dia
             hoist: winch(table)?,
             give: give(table)?,
             air: None,
+            ground: None,
         })),
         ("swing", None) => {
             let what = "a swinging load without a rope";
@@ -131,6 +136,29 @@ pub fn load_rope(table: &Values, fidelity: &str) -> Result<Option<LoadRope>, Dia
             None => Ok(None),
         },
     }
+}
+
+/// Air around a load on its rope, and ground below it, where the scene has them.
+pub fn surround(v: &Values, rope: &mut Option<LoadRope>, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<()> {
+    let Some(rope) = rope else {
+        let unused = [
+            (AIR.name, "air around a load that does not swing"),
+            (GROUND.name, "ground below a load that does not swing"),
+        ];
+        let help = "set fidelity = \"swing\", or remove this table";
+        let unused = unused.into_iter().filter(|(name, _)| v.table(name).is_some());
+        found.extend(unused.map(|(name, what)| v.refuse(name, what, "not used", help)));
+        return Some(());
+    };
+    if let Some(table) = v.table(AIR.name) {
+        let swings = (gravity / rope.length).sqrt();
+        let slews = v.table("slewing").is_some();
+        rope.air = Some(around(table, [swings, gravity], slews, found)?);
+    }
+    if let Some(table) = v.table(GROUND.name) {
+        rope.ground = Some(below(table, rope.give.is_some(), found)?);
+    }
+    Some(())
 }
 
 /// How the hoist moves the rope.

@@ -74,6 +74,8 @@ pub struct Modes {
     pub drum: Drum,
     /// The load hangs on the rope, or flies free.
     pub taut: bool,
+    /// It stands on the ground.
+    pub grounded: bool,
     /// Where a rope that drives luffing is slack: the angle (rad) at which it is taut again.
     pub slack: Option<f64>,
     /// Energy that blows have taken so far, in J; what they gave counts negative.
@@ -107,6 +109,7 @@ impl Modes {
             command: 0.0,
         },
         taut: true,
+        grounded: false,
         slack: None,
         blown: 0.0,
     };
@@ -118,6 +121,7 @@ impl Modes {
             joints: std::array::from_fn(|i| self.joints[i]),
             drum: self.drum,
             taut: self.taut,
+            grounded: self.grounded,
             slack: self.slack,
             blown: self.blown,
         }
@@ -131,7 +135,8 @@ impl Modes {
 
     /// As an event leaves it.
     pub fn follow<const M: usize, const J: usize>(&mut self, state: &CraneState<M, J>) {
-        (self.drum, self.taut, self.slack, self.blown) = (state.drum, state.taut, state.slack, state.blown);
+        (self.drum, self.taut, self.grounded) = (state.drum, state.taut, state.grounded);
+        (self.slack, self.blown) = (state.slack, state.blown);
         self.joints[..J].copy_from_slice(&state.joints);
     }
 }
@@ -357,11 +362,11 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
 
     /// Numbers whose fall below zero ends a smooth piece: slewing comes to rest or (two) breaks loose, meets its
     /// lower or upper stop; the rope becomes slack or taut; the hoist runs as commanded, or comes to rest or (two) breaks
-    /// loose.
-    pub fn indicators<C: Coordinate<P>>(&self, modes: Modes, y: &[C; N]) -> Option<[C; 7]> {
+    /// loose; the load touches the ground or is lifted.
+    pub fn indicators<C: Coordinate<P>>(&self, modes: Modes, y: &[C; N]) -> Option<[C; 8]> {
         let none = C::constant(1.0);
         if N == FIXED {
-            return Some([none; 7]);
+            return Some([none; 8]);
         }
         let all = driven!(self, modes, y, crane, at => {
             let all = crane.indicators_at(at);
@@ -377,6 +382,14 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
             return Some(C::constant(0.0));
         }
         Some(driven!(self, modes, y, crane, at => crane.tension(at)))
+    }
+
+    /// Force of the ground on the load, in N, and its height above it, in m.
+    pub fn on_ground<C: Coordinate<P>>(&self, modes: Modes, y: &[C; N]) -> Option<[C; 2]> {
+        if N == FIXED {
+            return Some([C::constant(0.0); 2]);
+        }
+        Some(driven!(self, modes, y, crane, at => crane.on_ground(at)))
     }
 
     /// Force of the air on the load, in N, and the power that it takes, in W.
@@ -604,7 +617,7 @@ impl<const N: usize> System<N> for Piece<'_, N> {
 
     #[inline]
     fn ended(&self, y: &[f64; N]) -> bool {
-        let beyond = |z: &[f64; 7]| z.iter().any(|z| *z < 0.0);
+        let beyond = |z: &[f64; 8]| z.iter().any(|z| *z < 0.0);
         N > FIXED && self.crane.indicators(self.modes, y).is_some_and(|z| beyond(&z))
     }
 

@@ -10,7 +10,7 @@ use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
 use crate::luffing::moving::given::{Inputs, MOST_STATES};
 use crate::luffing::moving::hydraulic::{self, FIRST, FIXED, Hydraulic, MOST, Modes, PresentCrane};
 use crate::luffing::moving::motion::MovingLinkage;
-use crate::luffing::moving::powers::Powers;
+use crate::luffing::moving::powers::{Powers, oil_powers, powers_of};
 use crate::luffing::moving::shares::{Instant, rope_on_head};
 use crate::luffing::moving::space::{self, Slewing};
 use crate::parts::hanging::to_load;
@@ -21,7 +21,7 @@ use crate::parts::solver::rodas::Run;
 use crate::parts::solver::{Count, Halt};
 
 /// Most event indicators of any level.
-pub const MOST_INDICATORS: usize = 13 + PART_MARGINS;
+pub const MOST_INDICATORS: usize = 14 + PART_MARGINS;
 /// Event indicators of the oil besides those of parts that it may have, which stand behind all others.
 const OIL_INDICATORS: usize = 6;
 
@@ -72,6 +72,9 @@ pub enum MotionResult {
     /// Of the air on the load, and the power that it takes.
     Air,
     AirPower,
+    /// Of the ground on the load, and the load's height above it.
+    Ground,
+    Height,
 }
 
 /// The same of cranes without oil, and of those with it.
@@ -123,6 +126,8 @@ fn oil_reaction<const N: usize, P: Coordinate<P>>(
         MotionResult::Drum => system.drum_friction(modes, y),
         MotionResult::Air => Some(system.in_air(modes, y)?[0]),
         MotionResult::AirPower => Some(system.in_air(modes, y)?[1]),
+        MotionResult::Ground => Some(system.on_ground(modes, y)?[0]),
+        MotionResult::Height => Some(system.on_ground(modes, y)?[1]),
     }
 }
 
@@ -155,6 +160,15 @@ where
             let r = &P::reduced(&crane.dynamics, y[0])?;
             let [force, power] = crane.in_air(&Snapshot { state, r, y, commands });
             Some(if reaction == MotionResult::Air { force } else { power })
+        }
+        MotionResult::Ground | MotionResult::Height => {
+            let r = &P::reduced(&crane.dynamics, y[0])?;
+            let [force, height] = crane.on_ground(&Snapshot { state, r, y, commands });
+            Some(if reaction == MotionResult::Ground {
+                force
+            } else {
+                height
+            })
         }
         MotionResult::SlewingFriction => crane.friction_moment(1, state, commands, y),
         MotionResult::Friction | MotionResult::Cylinder => crane.friction_moment(0, state, commands, y),
@@ -436,56 +450,6 @@ impl Level {
             (true, true) => &[1, 9, 13, 14, 15, 17],
         }
     }
-}
-
-fn powers_of<const N: usize, const J: usize>(
-    crane: &MovingCrane<N, J>,
-    state: &CraneState<N, J>,
-    commands: &Commands<J>,
-) -> Option<(Powers, f64)>
-where
-    MovingCrane<N, J>: Struck<N, J>,
-{
-    let (y, hoist) = (&state.y, crane.hoist_powers(state, commands)?);
-    let (mut drives, mut friction) = ([0.0; 2], 0.0);
-    for (i, drive) in commands.drives.iter().enumerate() {
-        let rate = y[2 * i + 1];
-        drives[i] = drive.moment * rate;
-        friction += -crane.friction_moment(i, state, commands, y)? * rate;
-    }
-    let r = &f64::reduced(&crane.dynamics, y[0])?;
-    let powers = Powers {
-        drive: drives[0],
-        slewing: drives[1],
-        hoist: hoist.given,
-        air: crane.in_air(&Snapshot { state, r, y, commands })[1],
-        friction: friction + hoist.lost,
-        ..Powers::default()
-    };
-    Some((powers, crane.energy(state)?))
-}
-
-fn oil_powers<const N: usize>(system: &Hydraulic<N>, modes: Modes, y: &[f64; N]) -> Option<(Powers, f64)> {
-    let [_, arm] = f64::reduced(system.dynamics(), y[0])?.drive;
-    let oil = Hydraulic::<N>::oil(y);
-    let [pump, throttles, compression] = system.cylinder.powers(&oil, arm * y[1], system.supply);
-    // A crane that slews does so by the state behind its angle.
-    let turning = match system.dynamics().turntable() {
-        Some(_) => y[FIXED + 1],
-        None => 0.0,
-    };
-    let hoist = system.hoist_powers(modes, y)?;
-    let powers = Powers {
-        slewing: system.slewing.moment * turning,
-        hoist: hoist.given,
-        pump,
-        throttles,
-        compression,
-        air: system.in_air(modes, y)?[1],
-        friction: -system.reaction(y[0], y[1]) * y[1] - system.slewing_friction(modes, y)? * turning + hoist.lost,
-        ..Powers::default()
-    };
-    Some((powers, system.energy(modes, y)?))
 }
 
 /// Where the load of a crane that slews is seen from its head: angles of its rope, and its distance.

@@ -36,9 +36,10 @@ pub fn unused(level: &str) -> Vec<(&'static str, &'static [&'static str])> {
         "rigid" => vec![
             ("hoisting", &[]),
             ("air", &[]),
+            ("ground", &[]),
             ("dynamics", &["l_R", "phi_R", "v_h", "a_h"]),
         ],
-        _ => vec![("dynamics", &[]), ("hoisting", &[]), ("air", &[])],
+        _ => vec![("dynamics", &[]), ("hoisting", &[]), ("air", &[]), ("ground", &[])],
     }
 }
 

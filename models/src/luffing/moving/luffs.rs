@@ -9,6 +9,7 @@ use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::hydraulic::Modes;
 use crate::luffing::moving::level::{CraneAt, Level};
 use crate::parts::air::AirAround;
+use crate::parts::ground::GroundBelow;
 use crate::parts::hydraulics::parts::OilParts;
 use crate::parts::motion::Motion;
 use crate::parts::turntable::Turning;
@@ -23,6 +24,7 @@ pub struct MotionSources<C: Calc = f64> {
     pub motor: Option<HoistMotor<C>>,
     pub give: Option<RopeGive<C>>,
     pub around: Option<AirAround<C>>,
+    pub ground: Option<GroundBelow<C>>,
     pub turning: Option<Turning<C>>,
     pub oil: Option<CylinderOil<C>>,
     pub oil_parts: Option<OilParts<C>>,
@@ -42,6 +44,7 @@ impl MotionSources {
         motor: None,
         give: None,
         around: None,
+        ground: None,
         turning: None,
         oil: None,
         oil_parts: None,
@@ -120,6 +123,7 @@ macro_rules! luffs {
                         ramp: given.ramp,
                         give: given.give,
                         around: given.around,
+                        ground: given.ground,
                         wound: given.wound,
                         past: given.past,
                         fitted: given.fitted,
@@ -142,6 +146,7 @@ macro_rules! luffs {
                     ramp,
                     give,
                     around,
+                    ground,
                     wound,
                     past,
                     fitted,
@@ -158,6 +163,7 @@ macro_rules! luffs {
                     ramp,
                     give,
                     around,
+                    ground,
                     wound,
                     past,
                     fitted,

@@ -6,6 +6,7 @@
 //! | `bodies`, `reduced` | bodies with their derivatives; what a mechanism is to the equations of motion |
 //! | `dynamics`, `pendulum`, `blown` | the mechanism with what hangs on it; with its load as a pendulum, between events; that in the air |
 //! | `crane`, `driven`, `motion`, `space`, `hanging` | joints that stick, stops, a rope that goes slack; load in the plane and in space |
+//! | `grounded` | a load on the ground |
 //! | `pulled` | a crane that a rope luffs, which may go slack |
 //! | `hydraulic` | the same moved by a cylinder |
 //! | `weighed` | the counterweight of a balance with its derivatives |
@@ -28,6 +29,7 @@ mod driven;
 pub mod dynamics;
 pub mod follows;
 pub mod given;
+mod grounded;
 pub mod hanging;
 pub mod hoisting;
 pub mod hydraulic;

@@ -3,11 +3,12 @@
 
 use crate::kernel::calc::Calc;
 use crate::luffing::moving::blown::directions;
-use crate::luffing::moving::crane::{Commands, CraneState, Hangs, MovingCrane, Snapshot, Struck};
+use crate::luffing::moving::crane::{Commands, CraneState, FEW, Hangs, MovingCrane, Snapshot, Struck};
 use crate::luffing::moving::dynamics::Coordinate;
 use crate::luffing::moving::pendulum::{Phase, Reel};
 use crate::luffing::moving::reduced::Reduced;
 use crate::luffing::moving::symbols as s;
+use crate::parts::ground::Raised;
 use crate::parts::hoist::RopeAction;
 use crate::parts::joint::Bar;
 use crate::parts::plane::{self, Point, dot};
@@ -83,7 +84,8 @@ impl<P: Calc> MovingLinkage<P> {
         }
     }
 
-    /// Accelerations of a load that flies free, or is pulled by a force that does not follow from the bar's alone.
+    /// Accelerations of a load that flies free, is pulled by a force that does not follow from the bar's alone, or stands on
+    /// the ground, which takes all that acts on it.
     fn led<C: Coordinate<P>>(
         &self,
         moment: C,
@@ -94,15 +96,19 @@ impl<P: Calc> MovingLinkage<P> {
         let (m, reel, still) = (phase(y), self.reel(state, r, y), C::constant(0.0));
         let [_, d, dd] = r.head;
         let (out, along) = directions(m.swing);
-        let mut weight = Point::new(still, C::of(self.dynamics.gravity()));
-        if let Some(air) = self.dynamics.air_acceleration(r, &m, &reel) {
-            weight -= air;
+        let mut weight = Point::new(still, still);
+        if !state.grounded {
+            weight.y = C::of(self.dynamics.gravity());
+            if let Some(air) = self.dynamics.air_acceleration(r, &m, &reel) {
+                weight -= air;
+            }
         }
         let held = state.joints[0] == Bar::Held;
         let alone = if held {
             still
         } else {
-            ((moment - r.moment - C::constant(0.5) * r.slope * m.omega * m.omega) / r.inertia).def(&s::ALPHA_0)
+            let driven = moment - r.moment - C::constant(0.5) * r.slope * m.omega * m.omega;
+            (driven.def(&s::M_NET) / r.inertia).def(&s::ALPHA_0)
         };
         let mass = self.dynamics.pendulum().map_or(still, |load| C::of(load.mass));
         let arm = r.arm(dot(d, out).def(&s::H_1R));
@@ -129,8 +135,8 @@ impl<P: Calc> MovingLinkage<P> {
             _ => alone,
         };
         // The load falls freely; seen from the head, which moves.
-        let fall = -weight - d * bar - dd * (m.omega * m.omega);
-        let swing = (dot(fall, along) - C::constant(2.0) * reel.rate * m.swing_rate) / reel.length;
+        let fall = plane::def(-weight - d * bar - dd * (m.omega * m.omega), [&s::A_QX, &s::A_QY]);
+        let swing = (dot(fall, along).def(&s::A_QPHI) - C::constant(2.0) * reel.rate * m.swing_rate) / reel.length;
         let free = || dot(fall, out) + reel.length * m.swing_rate * m.swing_rate;
         PlaneAccelerations {
             bar,
@@ -138,6 +144,7 @@ impl<P: Calc> MovingLinkage<P> {
             out: match (line, pull) {
                 (RopeAction::Taut { .. }, Some(pull)) if r.lead.is_some() => (free() - pull).def(&s::D_V_Q),
                 (RopeAction::Taut { .. }, _) => still,
+                _ if state.grounded => free().def(&s::D_V_Q),
                 (_, Some(pull)) => (free() - pull).def(&s::D_V_Q),
                 (_, None) => free(),
             },
@@ -229,6 +236,11 @@ impl<P: Calc> Hangs<STATES, 1, P> for MovingLinkage<P> {
         }
     }
 
+    fn raised<C: Coordinate<P>>(&self, ground: P, at: &Snapshot<STATES, 1, C>) -> Raised<C> {
+        let upright = -directions(at.y[2]).0.y;
+        Raised::above(ground, at.r.head[0].y - at.y[5] * upright, upright)
+    }
+
     fn felt<C: Coordinate<P>>(&self, at: &Snapshot<STATES, 1, C>) -> Option<[C; 2]> {
         let Snapshot { state, r, y, .. } = *at;
         let ([speed, against], drag) = self.dynamics.in_wind(r, &phase(y), &self.reel(state, r, y))?;
@@ -311,6 +323,20 @@ impl Struck<STATES, 1> for MovingLinkage {
             state.straighten(state.paid(r));
             state.taut = true;
         }
+    }
+
+    fn put_down(&self, state: &mut MotionState, r: &Reduced<f64>, ground: f64) {
+        let (below, y) = (r.head[0].y - ground, &mut state.y);
+        let (out, _) = directions(y[2]);
+        if (y[5] * out.y + below).abs() > FEW * below.abs() {
+            // Straight up or down, the angle on the same turn.
+            let place = Point::new(y[5] * out.x, -below);
+            y[2] += f64::direction(out.dot(&place), out.perp(&place));
+            y[5] = plane::length(place);
+        }
+        let (out, along) = directions(y[2]);
+        let head = r.head[1] * y[1];
+        (y[3], y[6]) = (-head.dot(&along) / y[5], -head.dot(&out));
     }
 
     fn height_and_speed(&self, state: &MotionState, r: &Reduced<f64>) -> [f64; 2] {

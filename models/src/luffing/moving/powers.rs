@@ -1,5 +1,9 @@
 //! What gives and takes power in a crane in motion.
 
+use crate::luffing::moving::crane::{Commands, CraneState, MovingCrane, Snapshot, Struck};
+use crate::luffing::moving::dynamics::Coordinate;
+use crate::luffing::moving::hydraulic::{FIXED, Hydraulic, Modes};
+
 /// Powers at one instant, in W; losses are positive.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Powers {
@@ -16,4 +20,56 @@ pub(crate) struct Powers {
     pub compression: f64,
     /// What the air takes from the load.
     pub air: f64,
+}
+
+/// Powers of a crane without oil, and the energy of all bodies (J); `None` where the linkage does not close.
+pub(super) fn powers_of<const N: usize, const J: usize>(
+    crane: &MovingCrane<N, J>,
+    state: &CraneState<N, J>,
+    commands: &Commands<J>,
+) -> Option<(Powers, f64)>
+where
+    MovingCrane<N, J>: Struck<N, J>,
+{
+    let (y, hoist) = (&state.y, crane.hoist_powers(state, commands)?);
+    let (mut drives, mut friction) = ([0.0; 2], 0.0);
+    for (i, drive) in commands.drives.iter().enumerate() {
+        let rate = y[2 * i + 1];
+        drives[i] = drive.moment * rate;
+        friction += -crane.friction_moment(i, state, commands, y)? * rate;
+    }
+    let r = &f64::reduced(&crane.dynamics, y[0])?;
+    let powers = Powers {
+        drive: drives[0],
+        slewing: drives[1],
+        hoist: hoist.given,
+        air: crane.in_air(&Snapshot { state, r, y, commands })[1],
+        friction: friction + hoist.lost,
+        ..Powers::default()
+    };
+    Some((powers, crane.energy(state)?))
+}
+
+/// The same of one with oil.
+pub(super) fn oil_powers<const N: usize>(system: &Hydraulic<N>, modes: Modes, y: &[f64; N]) -> Option<(Powers, f64)> {
+    let [_, arm] = f64::reduced(system.dynamics(), y[0])?.drive;
+    let oil = Hydraulic::<N>::oil(y);
+    let [pump, throttles, compression] = system.cylinder.powers(&oil, arm * y[1], system.supply);
+    // A crane that slews does so by the state behind its angle.
+    let turning = match system.dynamics().turntable() {
+        Some(_) => y[FIXED + 1],
+        None => 0.0,
+    };
+    let hoist = system.hoist_powers(modes, y)?;
+    let powers = Powers {
+        slewing: system.slewing.moment * turning,
+        hoist: hoist.given,
+        pump,
+        throttles,
+        compression,
+        air: system.in_air(modes, y)?[1],
+        friction: -system.reaction(y[0], y[1]) * y[1] - system.slewing_friction(modes, y)? * turning + hoist.lost,
+        ..Powers::default()
+    };
+    Some((powers, system.energy(modes, y)?))
 }

@@ -8,9 +8,10 @@ use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Values};
 use crate::kernel::symbol::Symbol;
 use crate::luffing::moving::given::{Constants, CylinderOil, Inputs};
-use crate::luffing::moving::hoisting::{HoistKind, LoadRope, hoisting, load_rope};
+use crate::luffing::moving::hoisting::{HoistKind, LoadRope, hoisting, load_rope, surround};
 use crate::luffing::moving::symbols as s;
-use crate::parts::air::{AIR, around};
+use crate::parts::air::AIR;
+use crate::parts::ground::GROUND;
 use crate::parts::hanging::too_short;
 use crate::parts::hoist::HoistCommand;
 use crate::parts::hydraulics::parts::OilParts;
@@ -128,23 +129,7 @@ impl Moving {
         let table = table(v, fidelity, bodies).map_err(&mut told).ok()??;
         let hoisting = hoisting(v, table, fidelity).map_err(&mut told).ok()?;
         let mut rope = load_rope(hoisting, fidelity).map_err(told).ok()?;
-        match (v.table(AIR.name), &mut rope) {
-            (Some(table), Some(rope)) => {
-                let swings = (gravity / rope.length).sqrt();
-                let slews = v.table("slewing").is_some();
-                rope.air = Some(around(table, [swings, gravity], slews, found)?);
-            }
-            (Some(_), None) => {
-                let what = "air around a load that does not swing";
-                found.push(v.refuse(
-                    AIR.name,
-                    what,
-                    "not used",
-                    "set fidelity = \"swing\", or remove this table",
-                ));
-            }
-            (None, _) => {}
-        }
+        surround(v, &mut rope, gravity, found)?;
         let reach = (bodies.reach, v.of(bodies.reach).unwrap_or(0.0));
         found.extend(rope.and_then(|rope| too_short(hoisting, rope.length, reach)));
         let oil = oil_drive(v, fidelity, found)?;
@@ -297,6 +282,7 @@ fn table<'a>(v: &'a Values, fidelity: &str, bodies: &Inert) -> Result<Option<&'a
                 ("slewing", "slewing"),
                 ("hoisting", "rope and hoist"),
                 ("hydraulics", "oil"),
+                (GROUND.name, "ground"),
             ];
             return match parts.into_iter().find(|(part, _)| v.has(part)) {
                 Some((part, name)) => {

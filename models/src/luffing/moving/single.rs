@@ -26,6 +26,7 @@ use crate::luffing::moving::stages::{CraneMoves, open, present};
 use crate::luffing::moving::symbols as s;
 use crate::luffing::moving::weighed::{Balanceable, MovedBalance, Weighing, Weight};
 use crate::parts::air::AirAround;
+use crate::parts::ground::GroundBelow;
 use crate::parts::motion::Motion;
 use crate::parts::plane::{self, Point};
 
@@ -282,6 +283,7 @@ pub fn parts<B: SingleBoom, C: Calc>(
     balance: &Option<Form<C>>,
     hoist: &HoistParts<C>,
     around: &Option<AirAround<C>>,
+    ground: &Option<GroundBelow<C>>,
     constants: &Constants<C>,
     fitted: &Fitted,
     room: &mut Vec<SingleParts<B, C>>,
@@ -300,6 +302,7 @@ pub fn parts<B: SingleBoom, C: Calc>(
             turning: None,
             cylinder: None,
             around: *around,
+            ground: *ground,
             fitted: *fitted,
         },
     });

@@ -6,10 +6,11 @@
 use nalgebra::Vector3;
 
 use crate::kernel::calc::Calc;
-use crate::luffing::moving::crane::{Commands, CraneState, Hangs, MovingCrane, Snapshot, Struck};
+use crate::luffing::moving::crane::{Commands, CraneState, FEW, Hangs, MovingCrane, Snapshot, Struck};
 use crate::luffing::moving::dynamics::Coordinate;
 use crate::luffing::moving::reduced::Reduced;
 use crate::luffing::moving::symbols as s;
+use crate::parts::ground::Raised;
 use crate::parts::hanging::{Accelerations, HangingLoad, HeadRope, dot, squared, to_load, turned};
 use crate::parts::joint::Bar;
 use crate::parts::solver::Halt;
@@ -103,8 +104,9 @@ impl<P: Calc> Hangs<STATES, 2, P> for Slewing<P> {
         let line = self.line(at);
         let moments = [moment(0), moment(1)];
         let air = self.dynamics.stream(y[2]);
+        let around = self.dynamics.surroundings(state.grounded, air.as_ref());
         self.dynamics
-            .slewed(r, [y[1], y[3]], load_of(y), moments, line, free, air.as_ref())
+            .slewed(r, [y[1], y[3]], load_of(y), moments, line, free, around)
     }
 
     fn rates_by<C: Coordinate<P>>(&self, a: &Accelerations<C, 2>, at: &Snapshot<STATES, 2, C>) -> [C; STATES] {
@@ -125,6 +127,11 @@ impl<P: Calc> Hangs<STATES, 2, P> for Slewing<P> {
 
     fn slackening_by<C: Coordinate<P>>(&self, a: &Accelerations<C, 2>, _: &Snapshot<STATES, 2, C>) -> C {
         a.slackening
+    }
+
+    fn raised<C: Coordinate<P>>(&self, ground: P, at: &Snapshot<STATES, 2, C>) -> Raised<C> {
+        let (place, head) = (load_of(at.y).place, at.r.head[0].y);
+        Raised::above(ground, head + place.y, -to_load(place).1.y)
     }
 
     fn felt<C: Coordinate<P>>(&self, at: &Snapshot<STATES, 2, C>) -> Option<[C; 2]> {
@@ -219,6 +226,17 @@ impl Struck<STATES, 2> for Slewing {
         }
         state.straighten();
         state.taut = self.accelerations(&state.at(r, commands)).slackening >= 0.0;
+    }
+
+    fn put_down(&self, state: &mut SlewingState, r: &Reduced<f64>, ground: f64) {
+        let (head, mut load) = (self.dynamics.head(r), load_of(&state.y));
+        let below = r.head[0].y - ground;
+        if (load.place.y + below).abs() > FEW * below.abs() {
+            load.place.y = -below;
+        }
+        let place = load.place + Vector3::new(head[1].z, 0.0, 0.0);
+        load.rate = -head[0] * state.y[1] - turned(place) * state.y[3];
+        state.put(load);
     }
 
     fn height_and_speed(&self, state: &SlewingState, r: &Reduced<f64>) -> [f64; 2] {

@@ -15,6 +15,7 @@ use crate::luffing::moving::hydraulic::{Hydraulic, MOST, Modes};
 use crate::luffing::moving::level::{CraneAt, Level, MOST_INDICATORS, MotionResult, seen};
 use crate::luffing::moving::symbols as s;
 use crate::parts::air::AirAround;
+use crate::parts::ground::GroundBelow;
 use crate::parts::hydraulics::cylinder::{Flows, PART_MARGINS};
 use crate::parts::hydraulics::parts::OilParts;
 use crate::parts::hydraulics::symbols as h;
@@ -200,6 +201,8 @@ reactions! {
     resisting_slewing: SlewingFriction;
     air_force: Air with AirAround<C>;
     air_power: AirPower with AirAround<C>;
+    ground_force: Ground with GroundBelow<C>;
+    height: Height with GroundBelow<C>;
 }
 
 /// Energy that blows have taken, in J.
@@ -264,8 +267,8 @@ impl<C: Scalar> OilFlows<C> {
 #[derive(Clone, Copy, Debug)]
 pub struct CraneEvents<C>([C; INDICATORS.len()]);
 
-/// Of luffing; of the oil, with the stops of luffing; of slewing; of the rope; of the hoist; of parts of the oil.
-pub const INDICATORS: [&Symbol; 25] = [
+/// Of luffing; of the oil, with the stops of luffing; of slewing; of the rope; of the hoist; of the ground; of parts of the oil.
+pub const INDICATORS: [&Symbol; 26] = [
     &s::Z_REST,
     &s::Z_LOOSE,
     &s::Z_SPOOL,
@@ -282,6 +285,7 @@ pub const INDICATORS: [&Symbol; 25] = [
     &s::Z_HOIST,
     &s::Z_DRUM_REST,
     &s::Z_DRUM_LOOSE,
+    &s::Z_GROUND,
     &h::Z_SUCTION_A,
     &h::Z_SUCTION_B,
     &h::Z_HOLD_A,
@@ -315,5 +319,6 @@ pub fn events<C: Scalar>(
     // A hoist has the one or the other.
     let hoist: [C; 2] = std::array::from_fn(|_| found.next().unwrap_or(rows[13]));
     (rows[13], rows[14], rows[15]) = (hoist[0], hoist[0], hoist[1]);
+    rows[16] = found.next().unwrap_or(rows[16]);
     Ok(CraneEvents(rows))
 }

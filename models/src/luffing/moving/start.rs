@@ -11,6 +11,7 @@ use crate::kernel::group::One;
 use crate::kernel::variable::Fault;
 use crate::luffing::moving::blown::directions;
 use crate::luffing::moving::carried::{CarriedCrane, at, known, put};
+use crate::luffing::moving::dynamics::Coordinate;
 use crate::luffing::moving::given::{CraneStates, Fitted, MOST_STATES, STATES, Slack};
 use crate::luffing::moving::hoisting::HoistKind;
 use crate::luffing::moving::hydraulic::{FIXED, Modes};
@@ -40,6 +41,7 @@ impl CraneAt {
         let (first, own) = (own(oil), if slews { space::STATES } else { motion::STATES });
         self.y[first + own - 3] = rate;
         self.past.drum = Drum::at(rate);
+        let gives = gives && !self.past.grounded;
         if gives && slews {
             let place = Vector3::new(self.y[first + 2], self.y[first + 3], self.y[first + 4]);
             let along = to_load(place).1 * rate;
@@ -47,6 +49,37 @@ impl CraneAt {
         } else if gives {
             self.y[first + 4] = rate;
         }
+    }
+
+    /// How far below the head the load is, in m.
+    fn hangs(&self, [oil, slews]: [bool; 2]) -> f64 {
+        let first = own(oil);
+        let along = if slews { 1.0 } else { directions(self.y[first]).0.y };
+        -self.y[first + 3] * along
+    }
+
+    /// The load stands on ground that is below the head by a height (m), in the rope's direction.
+    pub(super) fn stand(&mut self, below: f64, fittings: [bool; 2]) {
+        let [oil, slews] = fittings;
+        let (first, nearer) = (own(oil), below / self.hangs(fittings));
+        let place = if slews { 2..5 } else { 3..4 };
+        for y in &mut self.y[first..][place] {
+            *y *= nearer;
+        }
+        self.past.grounded = true;
+    }
+
+    /// The rope is as long as its stretch (m) asks for where the load is.
+    pub(super) fn pull(&mut self, stretch: f64, [oil, slews]: [bool; 2]) {
+        let first = own(oil);
+        let y = &self.y[first..];
+        let (length, distance) = if slews {
+            (8, Vector3::new(y[2], y[3], y[4]).norm())
+        } else {
+            (2, y[3])
+        };
+        self.y[first + length] = distance - stretch;
+        self.past.taut = true;
     }
 
     /// The load hangs by the stretch (m) of a rope that carries it at rest.
@@ -103,6 +136,20 @@ fn held_by_oil(level: &Level, at: &mut CraneAt) -> Option<()> {
     Some(())
 }
 
+/// How high the head is above ground (m) where the motion begins at an angle (rad).
+fn above(level: &Level, theta: f64, ground: f64) -> Result<f64, Fault> {
+    let head = f64::reduced(level.dynamics(), theta).map_or(ground, |r| r.head[0].y);
+    if head > ground {
+        return Ok(head - ground);
+    }
+    Err(Fault::outside(format!(
+        "the ground at {} = {} is not below the head, which is at {} where the motion begins: give less",
+        m::Y_G.id,
+        m::Y_G.written(ground),
+        m::Y_G.written(head)
+    )))
+}
+
 /// What the scene gives of its motion, at rest.
 fn sources(moving: &Moving) -> MotionSources {
     let Moving {
@@ -127,6 +174,7 @@ fn sources(moving: &Moving) -> MotionSources {
         },
         give: rope.and_then(|rope| rope.give),
         around: rope.and_then(|rope| rope.air),
+        ground: rope.and_then(|rope| rope.ground),
         turning: slewing.map(|turn| turn.joint.turning),
         oil,
         oil_parts,
@@ -166,6 +214,12 @@ pub fn starting<T: Luffs>(
         let (oil, slews) = (oil.is_some(), slewing.is_some());
         if let Some(give) = rope.and_then(|rope| rope.give) {
             now.stretch(weight / give.c_r, [oil, slews]);
+        }
+        if let Some(ground) = rope.and_then(|rope| rope.ground) {
+            let below = above(level, theta, ground.y_g)?;
+            if now.hangs([oil, slews]) >= below {
+                now.stand(below, [oil, slews]);
+            }
         }
         if let Some(rope) = rope {
             let rate = if moving.winds_at_once() {

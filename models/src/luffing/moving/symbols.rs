@@ -6,6 +6,7 @@ pub use crate::parts::air::{
     A_AIR_X, A_AIR_Y, A_AIR_Z, CHI_AIR, DELTA_AIR, F_AIR, KAPPA_AIR, P_AIR, U_AIR, U_AIR_X, U_AIR_Y, U_AIR_Z, V_AIR,
     W_AIR,
 };
+pub use crate::parts::ground::{H_G, N_G, Y_G, Z_GROUND};
 pub use crate::parts::hanging::{
     A_N, A_R, ALPHA_0, ALPHA_0SL, B_X, B_Y, B_Z, D_V_QX, D_V_QY, D_V_QZ, D_X_Q, D_Y_Q, D_Z_Q, H_1R, H_2R, KAPPA_R, L_R,
     MASS_E, N_X, N_Y, N_Z, PHI_R, R_QX, S_Q, S_R, U_X, U_Y, V_E, V_QX, V_QY, V_QZ, W_X, W_Y, W_Z, X_Q, Y_Q, Z_Q,
@@ -96,6 +97,9 @@ symbols! {
     A_AX: "a_A.x" "a_(A x)" M_PER_S2 / M_PER_S2, "Acceleration of A, forward.", "derived";
     A_AY: "a_A.y" "a_(A y)" M_PER_S2 / M_PER_S2, "Acceleration of A, upwards.", "derived";
     A_AR: "a_AR" "a_(A R)" M_PER_S2 / M_PER_S2, "Acceleration of A along the rope, towards the load, less that of gravity.", "derived";
+    A_QX: "a_Q.x" "a_(Q x)" M_PER_S2 / M_PER_S2, "Acceleration of the load from the head but for what its rope gives it, forward.", "derived";
+    A_QY: "a_Q.y" "a_(Q y)" M_PER_S2 / M_PER_S2, "Acceleration of the load from the head but for what its rope gives it, upwards.", "derived";
+    A_QPHI: "a_Q.phi" "a_(Q phi)" M_PER_S2 / M_PER_S2, "Acceleration of the load from the head across its rope.", "derived";
     A_LR: "a_lR" "a_(l R)" M_PER_S2 / M_PER_S2, "Acceleration with which luffing adds rope.", "derived";
     D_PHI: "d_phi" "d_phi" M / M, "Travel of A across the rope for one radian of the driving link.", "derived";
     D_N: "d_n" "d_n" M / M, "Travel of A along the rope, away from the load, for one radian of the driving link.", "derived";

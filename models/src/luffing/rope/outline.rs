@@ -12,7 +12,7 @@ use crate::luffing::rope::symbols as s;
 const OWN_USES: [Purpose; 2] = [("start", &[&m::L_R, &m::PHI_R]), ("hoist", &[&m::V_H, &m::A_H])];
 
 pub const OUTLINE: Outline = Outline {
-    inputs: chapters!(geometry "", tackle, hoist_rope, weights, balance, load "Q", motion, moving "dynamics", hoisting, air,
+    inputs: chapters!(geometry "", tackle, hoist_rope, weights, balance, load "Q", motion, moving "dynamics", hoisting, air, ground,
         cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_brake "cases.brake", case_second_brake "cases.second_brake",
         case_rope "cases.rope", case_pin_sizes "cases.pin_size", limits),
     constants: &[

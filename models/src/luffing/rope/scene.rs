@@ -28,6 +28,7 @@ use crate::luffing::moving::given::Fitted;
 use crate::luffing::moving::hoisting::{BY_SPEED_KEYS, load_taken};
 use crate::luffing::moving::levels;
 use crate::luffing::moving::scene::{Inert, Moving, brisk, dynamics, turns};
+use crate::luffing::moving::symbols as m;
 use crate::luffing::moving::told::motion::moved;
 use crate::luffing::moving::told::shown::running;
 use crate::luffing::resistances::scene::{CASES, Cases, left};
@@ -41,14 +42,15 @@ use crate::luffing::rope::symbols as s;
 use crate::luffing::strength;
 use crate::luffing::with_balance::{WithBalance, searched};
 use crate::parts::air::AIR;
+use crate::parts::ground::GROUND;
 use crate::parts::motion::{Motion, degrees};
 use crate::parts::motor;
 use crate::parts::plane::{self, Point};
 use crate::parts::teeth;
-use crate::parts::{air, hanging, hydraulics};
+use crate::parts::{air, ground, hanging, hydraulics};
 
 /// Keys of `[luffing]` with one of the two kinds.
-const fn keys(kind: Key, hoist_rope: &'static [Key]) -> [Key; 18] {
+const fn keys(kind: Key, hoist_rope: &'static [Key]) -> [Key; 19] {
     [
         kind,
         Key::quantity(&s::L, Sign::Positive),
@@ -71,6 +73,7 @@ const fn keys(kind: Key, hoist_rope: &'static [Key]) -> [Key; 18] {
             "Inertia, friction, drive and rope of a boom in motion.",
         ),
         AIR,
+        GROUND,
         Key::part("hoisting", BY_SPEED_KEYS, "Rope and hoist of a load that swings."),
         INTERPOLATION,
         CASES,
@@ -137,6 +140,7 @@ impl Described for Rope {
     const ID: &'static str = "rope";
     const TABLE: &'static str = "luffing";
     const OUTLINE: &'static Outline = &OUTLINE;
+    const FOLLOWED: &'static [&'static Symbol] = listed!(m: S_R, H_G, N_G);
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "rope_symbol",
         own: &[s::ALL],
@@ -149,6 +153,7 @@ impl Described for Rope {
             teeth::ALL,
             strength::symbols::ALL,
             air::ALL,
+            ground::ALL,
             hanging::ALL,
             hydraulics::symbols::ALL,
         ],
@@ -191,6 +196,7 @@ impl Described for Rope {
             ramp: None,
             give: None,
             around: None,
+            ground: None,
             wound: None,
             past: None,
             slack: None,

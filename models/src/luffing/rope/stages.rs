@@ -52,12 +52,13 @@ use crate::luffing::strength::pins::Sheared;
 use crate::luffing::strength::pull::{RopeRatios, Tensed};
 use crate::luffing::with_balance::WithBalance;
 use crate::parts::air::AirAround;
+use crate::parts::ground::GroundBelow;
 use crate::parts::plane::Point;
 
 /// Quantities at rest and in motion.
 mod s {
     pub use crate::balance::symbols::{F_KX, F_KY, F_MX, F_MY, N_1};
-    pub use crate::luffing::moving::symbols::{F_AIR, M_R, P_AIR, S_R, W_BLOW, Z_LOW};
+    pub use crate::luffing::moving::symbols::{F_AIR, H_G, M_R, N_G, P_AIR, S_R, W_BLOW, Z_LOW};
     pub use crate::luffing::resistances::symbols::F_R;
     pub use crate::luffing::rope::symbols::*;
 }
@@ -74,6 +75,7 @@ stages! {
         Parameter ramp: Option<HoistRamp<C>>,
         Parameter give: Option<RopeGive<C>>,
         Parameter around: Option<AirAround<C>>,
+        Parameter ground: Option<GroundBelow<C>>,
         Memory wound: Option<One<C>>,
         Memory past: Option<Modes>,
         Memory slack: Option<Slack>,
@@ -135,7 +137,7 @@ stages! {
         roped: RopedParts<C> = RopedParts::new(rig, compensation, weights[!], inertia[!], choice) => _;
         hoist: HoistParts<C> = HoistParts::by_speed(ramp, give) => _;
         parts[constants]: Vec<SingleParts<Roped, C>> = single::parts(
-            roped, load[!], balance, hoist, around, constants[!], fitted
+            roped, load[!], balance, hoist, around, ground, constants[!], fitted
         ) => _;
         boom[constants]: Vec<Renewed<Heavy<Roped, C>>> = single::heavy(parts) => _;
         built[constants]: Vec<Level<C>> = single::built(parts, boom) => _;
@@ -157,6 +159,8 @@ stages! {
         );
         air_force: C = stages::air_force(built, told, at, phi, around[!]) => F_AIR;
         air_power: C = stages::air_power(built, told, at, phi, around[!]) => P_AIR;
+        ground_force: C = stages::ground_force(built, told, at, phi, ground[!]) => N_G;
+        height: C = stages::height(built, told, at, phi, ground[!]) => H_G;
         blown: C = stages::blown(at) => W_BLOW;
         events: CraneEvents<C> = stages::events(built, told, at, phi, fitted);
     }

@@ -21,6 +21,7 @@ use crate::luffing::moving::given::{Constants, CylinderOil, Fitted};
 use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::level::Level;
 use crate::parts::air::AirAround;
+use crate::parts::ground::GroundBelow;
 use crate::parts::hydraulics::cylinder::Cylinder;
 use crate::parts::hydraulics::parts::OilParts;
 use crate::parts::hydraulics::valve::Valve;
@@ -45,6 +46,7 @@ pub struct CraneParts<P: Calc> {
     pub motor: Option<HoistMotor<P>>,
     pub give: Option<RopeGive<P>>,
     pub around: Option<AirAround<P>>,
+    pub ground: Option<GroundBelow<P>>,
     pub turning: Option<Turning<P>>,
     pub oil: Option<CylinderOil<P>>,
     pub oil_parts: Option<OilParts<P>>,
@@ -86,6 +88,7 @@ where
             turning: self.turning,
             cylinder: oil.map(|(oil, bore)| cylinder(&oil, &bore, self.oil_parts)),
             around: self.around,
+            ground: self.ground,
             fitted: self.fitted,
         }
         .level(dynamics)

@@ -25,6 +25,7 @@ use crate::luffing::moving::level::{CraneAt, Level};
 use crate::luffing::moving::reduced::Renewed;
 use crate::luffing::moving::stages::{CraneMoves, open, present, rates_after};
 use crate::parts::air::AirAround;
+use crate::parts::ground::GroundBelow;
 use crate::parts::hydraulics::parts::OilParts;
 use crate::parts::turntable::Turning;
 
@@ -77,6 +78,7 @@ pub fn parts<C: Scalar>(
     motor: &Option<HoistMotor<C>>,
     give: &Option<RopeGive<C>>,
     around: &Option<AirAround<C>>,
+    ground: &Option<GroundBelow<C>>,
     turning: &Option<Turning<C>>,
     oil: &Option<CylinderOil<C>>,
     oil_parts: &Option<OilParts<C>>,
@@ -95,6 +97,7 @@ pub fn parts<C: Scalar>(
         motor: *motor,
         give: *give,
         around: *around,
+        ground: *ground,
         turning: *turning,
         oil: *oil,
         oil_parts: *oil_parts,

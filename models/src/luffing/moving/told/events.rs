@@ -15,6 +15,7 @@ pub(super) struct Watch {
     pub stops: [[bool; 2]; 3],
     ahead: [[bool; 2]; 3],
     taut: bool,
+    grounded: bool,
     /// A rope that drives luffing pulls.
     pulls: bool,
     relief: [bool; 2],
@@ -42,6 +43,7 @@ impl Watch {
             joints,
             drum,
             taut,
+            grounded,
             slack,
             ..
         } = present.past;
@@ -54,6 +56,7 @@ impl Watch {
             stops: [luffing[0], slewing[0], [false; 2]],
             ahead: [luffing[1], slewing[1], [false; 2]],
             taut,
+            grounded,
             pulls: slack.is_none(),
             relief: if oil {
                 [y[2] > opening, y[3] > opening]
@@ -101,6 +104,7 @@ impl Watch {
         }
         let switches = [
             (before.taut, self.taut, "rope_taut", "rope_slack"),
+            (before.grounded, self.grounded, "load_down", "load_lifted"),
             (before.pulls, self.pulls, "tackle_taut", "tackle_slack"),
             (before.relief[0], self.relief[0], "relief_1_opens", "relief_1_closes"),
             (before.relief[1], self.relief[1], "relief_2_opens", "relief_2_closes"),

@@ -24,14 +24,14 @@ use crate::luffing::moving::start::starting;
 use crate::luffing::moving::symbols as m;
 use crate::luffing::moving::told::energy::integrals;
 use crate::luffing::moving::told::manoeuvres::{Pilot, Planned, at_rest, designed, drawn, planned, rules};
-use crate::luffing::moving::told::present::recorded;
+use crate::luffing::moving::told::present::{recorded, standing};
 use crate::luffing::moving::told::run::{EVENTS, Run, timed};
 use crate::luffing::moving::told::shown::Shown;
 use crate::parts::hydraulics::symbols as h;
 use crate::parts::hydraulics::throttle::LAMINAR;
 
 /// What the formulas of a section give; those of the assembled model stand among them. A mechanism has its own besides.
-const SECTIONS: [(&str, &[&Symbol]); 10] = [
+const SECTIONS: [(&str, &[&Symbol]); 12] = [
     (
         "motion_counterweight",
         &[&m::MASS_5, &b::C_5X, &b::C_5Y, &m::DX_5, &m::DY_5, &m::DDX_5, &m::DDY_5],
@@ -99,10 +99,12 @@ const SECTIONS: [(&str, &[&Symbol]); 10] = [
     (
         "motion_equations",
         listed! { m:
-            MASS_H, V_Q, DELTA_R, D_DELTA_R, S_RD, F_C, M_R, M_R_SL, M_NET, TAU_M, M_NET_SL, ALPHA_0, ALPHA_0SL, A_N, KAPPA_R, A_R, A_AX, A_AY, A_AR, A_LR, D_OMEGA_SL,
+            MASS_H, V_Q, DELTA_R, D_DELTA_R, S_RD, F_C, M_R, M_R_SL, M_NET, TAU_M, M_NET_SL, ALPHA_0, ALPHA_0SL, A_N, KAPPA_R, A_R, A_AX, A_AY, A_AR, A_QX, A_QY, A_QPHI, A_LR, D_OMEGA_SL,
             D_OMEGA_R, D_V_QX, D_V_QY, D_V_QZ, D_V_Q, S_R, D_V_R
         },
     ),
+    ("motion_ground", &[&m::H_G]),
+    (STANDING, &[&m::N_G]),
     (
         "motion_forces",
         &[
@@ -129,6 +131,9 @@ const SECTIONS: [(&str, &[&Symbol]); 10] = [
         ],
     ),
 ];
+
+/// The section of a load that stands on the ground: at an instant of its own.
+const STANDING: &str = "motion_standing";
 
 /// What is found while the model is assembled, before it moves, besides a mechanism's own.
 const ASSEMBLED: [&Symbol; 6] = [&m::MASS_Q, &m::MASS_H, &m::DELTA_AIR, &m::KAPPA_AIR, &h::A_A, &h::A_B];
@@ -253,7 +258,9 @@ fn state(model: &mut MovingComponent, bar: [&'static Symbol; 2]) -> Vec<(&'stati
 
 /// The equations at the model's instant. Each section is recorded from the start and shows its own steps.
 fn sections<T: Shown>(model: &MovingComponent) -> Vec<Section> {
+    let standing = standing::<T::Component>(model);
     let section = |(id, symbols): (&'static str, &[&Symbol])| {
+        let model = standing.as_ref().filter(|_| id == STANDING).unwrap_or(model);
         let own = T::SECTIONS.iter().find(|(of, ..)| *of == id);
         let (id, own) = own.map_or((id, &[][..]), |(_, id, own)| (*id, *own));
         let (mut trace, assembled) = record(|| recorded::<T>(model));
@@ -277,8 +284,11 @@ fn sections<T: Shown>(model: &MovingComponent) -> Vec<Section> {
             ..Section::default()
         }
     };
+    // Nothing is recorded for ground where there is none.
+    let grounds = ["motion_ground", STANDING];
     SECTIONS
         .into_iter()
+        .filter(|(id, _)| standing.is_some() || !grounds.contains(id))
         .map(section)
         .filter(|section| !section.trace.steps.is_empty())
         .collect()

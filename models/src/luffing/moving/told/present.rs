@@ -9,6 +9,7 @@ use crate::kernel::calc::Calc;
 use crate::kernel::record::{self, Rec};
 use crate::kernel::variable::Fault;
 use crate::luffing::moving::carried::{self, CarriedCrane};
+use crate::luffing::moving::dynamics::Coordinate;
 use crate::luffing::moving::level::CraneAt;
 use crate::luffing::moving::luffs::Luffs;
 use crate::luffing::moving::powers::Powers;
@@ -53,6 +54,31 @@ pub(super) fn present<T: Luffs>(model: &mut MovingComponent) -> (CraneAt, f64) {
     let own: &CarriedCrane<T> = carrier.downcast_ref().expect("a crane's");
     let least = own.ahead.least_pressure();
     (carried::at::<T>(standing), least)
+}
+
+/// The crane at rest as it is, but for its load, which stands on the ground while the rope pulls with half its weight; `None`
+/// where there is no ground.
+pub(super) fn standing<T: Luffs>(model: &MovingComponent) -> Option<MovingComponent> {
+    let mut model = model.clone();
+    let moving = model.parts().0;
+    let known = carried::known::<T>(moving);
+    let given = T::luffing(T::given(known));
+    let (ground, give) = given.sources.ground.zip(given.sources.give)?;
+    let load = given.load.filter(|load| load.1 > 0.0)?;
+    let (level, mut at) = T::in_motion(known).ok()?;
+    for &rate in level.rates_of() {
+        at.y[rate] = 0.0;
+    }
+    let below = f64::reduced(level.dynamics(), at.y[0])?.head[0].y - ground.y_g;
+    let fitted = given.sources.fitted;
+    let fittings = [fitted.oil, fitted.slewing.is_some()];
+    if below <= 0.0 {
+        return None;
+    }
+    at.stand(below, fittings);
+    at.pull(0.5 * load.1 / give.c_r, fittings);
+    carried::put::<T>(moving, &at);
+    Some(model)
 }
 
 /// Runs the equations of motion as they are now under the recorder. Returns how many steps were recorded while
