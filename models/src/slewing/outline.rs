@@ -7,12 +7,17 @@ use crate::parts::turntable;
 use crate::slewing::symbols as s;
 
 pub const OUTLINE: Outline = Outline {
-    inputs: chapters!(slewing "", slope, load "Q", hook, air, motion, limits),
-    constants: &[("slewing_inertia", &[Stage("carried"), Stage("total")])],
+    inputs: chapters!(slewing "", slope, load "Q", hook, air, control, motion, limits),
+    constants: &[
+        ("slewing_inertia", &[Stage("carried"), Stage("total")]),
+        ("slewing_regulated", &[Stage("regulated")]),
+        ("slewing_shaping", &[Stage("sway_left")]),
+    ],
     sections: &[
         ("slewing_slope", &[Stage("tilt")]),
         ("slewing_steady", &[Stage("steady")]),
         ("slewing_circle", &[Stage("circling")]),
+        ("slewing_control", &[Stage("sampled")]),
         ("motion_air", &[Stage("stream")]),
         ("slewing_swing", &[Stage("leaning"), Stage("swinging")]),
         ("slewing_motion", &[Stage("resisting"), Stage("turned")]),

@@ -22,7 +22,9 @@ use crate::parts::air::{self, AIR, AirAround, WindAtLoad, around};
 use crate::parts::hanging::{self, HangingLoad};
 use crate::parts::motion::Motion;
 use crate::parts::plane::Point;
+use crate::parts::shaping::{self, Shaping};
 use crate::parts::turntable::{self as joint, SlewingJoint};
+use crate::parts::turntable_control::{self as control, CONTROL, Latched, SlewingControl};
 use crate::slewing::bounds::Slewed;
 use crate::slewing::motion::{Past, SlewingDrive, Stops};
 use crate::slewing::outline::OUTLINE;
@@ -49,6 +51,7 @@ pub const KEYS: &[Key] = keys! { joint:
     Key::part("motion", MOTION, "Working range of slewing by itself."),
     Key::part("slope", SLOPE, "The ground that is not level, and what stands on it."),
     AIR,
+    CONTROL,
     Key::part("limits", LIMITS, "What results may come to at most.")
 };
 
@@ -65,7 +68,9 @@ const LIMITS: &[Key] = &Limit::keys::<3>(OUTLINE.limits);
 static DYNAMICS: &[Key] = keys! { s: STEP > 0 };
 
 /// Keys that say something of a motion alone, and of a load that swings.
-const MOVING: [&str; 7] = ["M_sl", "M_Bsl", "psi_sl", "omega_sl", "psi_min", "psi_max", "dynamics"];
+const MOVING: [&str; 8] = [
+    "M_sl", "M_Bsl", "psi_sl", "omega_sl", "psi_min", "psi_max", "dynamics", "control",
+];
 const SWINGING: [&str; 3] = ["l_R", "phi_R", "chi_R"];
 
 /// What the rates cost, in s, without a load that swings and with it.
@@ -144,7 +149,14 @@ impl Described for SlewingScene {
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "slewing_symbol",
         own: &[s::ALL],
-        shared: &[joint::ALL, hanging::ALL, air::ALL, gravity::ALL],
+        shared: &[
+            joint::ALL,
+            control::ALL,
+            shaping::ALL,
+            hanging::ALL,
+            air::ALL,
+            gravity::ALL,
+        ],
     };
 
     fn read(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<(SlewingScene, Motion)> {
@@ -165,6 +177,10 @@ impl Described for SlewingScene {
         let air = v.table(AIR.name).filter(|_| swings);
         let air = air.and_then(|table| in_air(table, [n(s::L_R.id), gravity], found));
         let (around, blowing) = air.unzip();
+        let (control, commanded) =
+            SlewingControl::read_for(v, joint.turning.j_sl + carried / gravity * n(s::R.id), found).unzip();
+        let told = v.table(CONTROL.name).and_then(|table| table.course(s::OMEGA_C_SL.id));
+        let shaped = told.and_then(|course| course.shaped);
         let lasts = v
             .course(s::M_SL.id)
             .map_or((range.to - range.from) / range.speed.abs(), Course::end);
@@ -205,6 +221,14 @@ impl Described for SlewingScene {
             around,
             blowing,
             slackness: swings.then_some(Slackness { slack: 0.0 }),
+            control,
+            commanded,
+            latched: control.map(|_| Latched {
+                set: range.speed,
+                integral: 0.0,
+                moment: 0.0,
+            }),
+            shaping: shaped.filter(|_| swings).map(|t_sh| Shaping { t_sh }),
             past: Past { way: 1.0, blown: 0.0 },
             stops: Stops(joint.stops),
             open: Open(
@@ -238,10 +262,12 @@ impl Described for SlewingScene {
     fn set_level(&mut self, level: &str) {
         if level != "swing" {
             (self.given.swung, self.given.rope, self.given.slackness) = (None, None, None);
+            self.given.shaping = None;
             (self.given.around, self.given.blowing) = (None, None);
         }
         if level == "static" {
             self.given.driven = None;
+            (self.given.control, self.given.commanded, self.given.latched) = (None, None, None);
         }
     }
 
@@ -249,7 +275,12 @@ impl Described for SlewingScene {
         match level {
             "swing" => Vec::new(),
             "rigid" => vec![("slewing", &SWINGING), (AIR.name, &[])],
-            _ => vec![("dynamics", &[]), ("slewing", &SWINGING), (AIR.name, &[])],
+            _ => vec![
+                ("dynamics", &[]),
+                ("slewing", &SWINGING),
+                (AIR.name, &[]),
+                (CONTROL.name, &[]),
+            ],
         }
     }
 
@@ -257,6 +288,9 @@ impl Described for SlewingScene {
         this.given.driven?;
         let mut resting = this.clone();
         resting.own.given.past.way = 0.0;
+        if let Some(latched) = &mut resting.own.given.latched {
+            latched.set = this.start[1];
+        }
         Some(MovingComponent::new(resting.standing(), |model| {
             SmoothPieces::new(model, &this.start, this.step)
         }))
@@ -312,19 +346,27 @@ impl Described for SlewingScene {
         std::iter::once("wind").chain(sway).chain(rest).collect()
     }
 
-    /// A load that swings stands where its rope and the angles of it put it.
+    /// A load that swings stands where its rope and the angles of it put it; a controller has held the speed of the working
+    /// range so far.
     fn arrange(&self, inputs: &mut Vec<Input>) {
-        if let Some(load) = &self.given.swung {
-            load.map(&mut |symbol, value| {
-                inputs.push(Input {
-                    symbol,
-                    value,
-                    number: None,
-                    chapter: "hook",
-                    given: None,
-                    usual: true,
-                });
+        let mut stands = |chapter, symbol, value| {
+            inputs.push(Input {
+                symbol,
+                value,
+                number: None,
+                chapter,
+                given: None,
+                usual: true,
             });
+        };
+        if let Some(load) = &self.given.swung {
+            load.map(&mut |symbol, value| stands("hook", symbol, value));
+        }
+        if let Some(latched) = &self.given.latched {
+            latched.map(&mut |symbol, value| stands("control", symbol, value));
+        }
+        if let Some(shaping) = &self.given.shaping {
+            stands("control", &s::T_SH, shaping.t_sh);
         }
     }
 
