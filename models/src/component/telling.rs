@@ -162,6 +162,9 @@ pub fn sheet<T: Described>(told: &Description<T>, origins: &Origins, asked: &[Pl
         sheet.uses.push(("cycle", told.collect()));
     }
     sheet.cycle = cycle;
+    if runs {
+        T::after_runs(told, &mut sheet);
+    }
     sheet.drop_nothing();
     let Sheet {
         requirements,

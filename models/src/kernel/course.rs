@@ -26,8 +26,8 @@ impl Between {
 pub struct Course {
     pub rows: Vec<[f64; 2]>,
     pub between: Between,
-    /// Period of a swing (s) that it leaves without, where it is shaped.
-    pub shaped: Option<f64>,
+    /// Where it is shaped: period (s) of the swing against which it is, and its rows without that.
+    pub shaped: Option<(f64, Vec<[f64; 2]>)>,
 }
 
 impl Course {
@@ -67,8 +67,18 @@ impl Course {
             .map(|&time| [time, 0.5 * (now(time) + delayed.at(time, time)[0])]);
         Course {
             rows: rows.collect(),
-            shaped: Some(period),
-            ..self
+            between: self.between,
+            shaped: Some((period, self.rows.clone())),
+        }
+    }
+
+    /// As it was before it was shaped.
+    #[must_use]
+    pub fn plain(&self) -> Course {
+        Course {
+            rows: self.shaped.as_ref().map_or(&self.rows, |(_, rows)| rows).clone(),
+            between: self.between,
+            shaped: None,
         }
     }
 

@@ -17,15 +17,15 @@ symbols! {
     A_SL: "a_sl" "a_\"sl\"" RAD_PER_S2 / RAD_PER_S2 [positive], "Greatest acceleration of the controller's set point.", "input";
     M_MAX_SL: "M_maxsl" "M_\"max sl\"" N_M / KN_M [positive], "Greatest moment of the slewing drive under its controller, by amount.", "input";
     OMEGA_C_SL: "omega_csl" "omega_\"c sl\"" RAD_PER_S / DEG_PER_S, "Commanded angular velocity of slewing.", "input";
-    OMEGA_S_SL: "omega_ssl" "omega_\"s sl\"" RAD_PER_S / DEG_PER_S, "Set point of the slewing controller since its last sample.", "sampled";
-    M_I_SL: "M_isl" "M_\"i sl\"" N_M / KN_M, "Integral part of the moment since the last sample.", "sampled";
-    OMEGA_N_SL: "omega_nsl" "omega_\"n sl\"" RAD_PER_S / DEG_PER_S, "Set point from this sample to the next.", "sampled";
-    E_N_SL: "e_nsl" "e_\"n sl\"" RAD_PER_S / DEG_PER_S, "Error of the angular velocity of slewing at a sample.", "sampled";
-    M_A_SL: "M_asl" "M_\"a sl\"" N_M / KN_M, "Moment that the controller asks for, before its limit.", "sampled";
-    M_IN_SL: "M_insl" "M_\"i,n sl\"" N_M / KN_M, "Integral part of the moment after this sample, unless the limit holds it.", "sampled";
-    M_N_SL: "M_nsl" "M_\"n sl\"" N_M / KN_M, "Moment of the drive from this sample to the next.", "sampled";
-    OMEGA_0_SL: "omega_0sl" "omega_\"0 sl\"" RAD_PER_S / RAD_PER_S, "Natural frequency of all that slews under its controller, undamped.", "closed form";
-    ZETA_SL: "zeta_sl" "zeta_\"sl\"" ONE / ONE, "Damping ratio of all that slews under its controller.", "closed form";
+    OMEGA_S_SL: "omega_ssl" "omega_\"s sl\"" RAD_PER_S / DEG_PER_S, "Set point of the slewing controller since its last sample.", "derived";
+    M_I_SL: "M_isl" "M_\"i sl\"" N_M / KN_M, "Integral part of the moment since the last sample.", "derived";
+    OMEGA_N_SL: "omega_nsl" "omega_\"n sl\"" RAD_PER_S / DEG_PER_S, "Set point from this sample to the next.", "derived";
+    E_N_SL: "e_nsl" "e_\"n sl\"" RAD_PER_S / DEG_PER_S, "Error of the angular velocity of slewing at a sample.", "derived";
+    M_A_SL: "M_asl" "M_\"a sl\"" N_M / KN_M, "Moment that the controller asks for, before its limit.", "derived";
+    M_IN_SL: "M_insl" "M_\"i,n sl\"" N_M / KN_M, "Integral part of the moment after this sample, unless the limit holds it.", "derived";
+    M_N_SL: "M_nsl" "M_\"n sl\"" N_M / KN_M, "Moment of the drive from this sample to the next.", "derived";
+    OMEGA_0_SL: "omega_0sl" "omega_\"0 sl\"" RAD_PER_S / RAD_PER_S, "Natural frequency of all that slews under its controller, undamped.", "derived";
+    ZETA_SL: "zeta_sl" "zeta_\"sl\"" ONE / ONE, "Damping ratio of all that slews under its controller.", "derived";
 }
 
 quantities! {

@@ -31,6 +31,7 @@ pub mod air;
 pub mod blows;
 mod bounds;
 pub mod control;
+mod left;
 pub mod motion;
 mod outline;
 pub mod scene;

@@ -6,7 +6,7 @@ use crate::component::mechanism::{Entry, Solver};
 use crate::component::moving::MovingComponent;
 use crate::component::moving::smooth::SmoothPieces;
 use crate::component::outline::{Limit, Outline};
-use crate::component::sheet::{Check, Drawing, Input};
+use crate::component::sheet::{Check, Drawing, Input, Sheet};
 use crate::component::standing::Standing;
 use crate::component::telling::{fine, sample};
 use crate::kernel::calc::Calc;
@@ -17,6 +17,7 @@ use crate::kernel::group::One;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Values};
 use crate::kernel::sign::Sign;
+use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::Fault;
 use crate::parts::air::{self, AIR, AirAround, WindAtLoad, around};
 use crate::parts::hanging::{self, HangingLoad};
@@ -26,6 +27,7 @@ use crate::parts::shaping::{self, Shaping};
 use crate::parts::turntable::{self as joint, SlewingJoint};
 use crate::parts::turntable_control::{self as control, CONTROL, Latched, SlewingControl};
 use crate::slewing::bounds::Slewed;
+use crate::slewing::left;
 use crate::slewing::motion::{Past, SlewingDrive, Stops};
 use crate::slewing::outline::OUTLINE;
 use crate::slewing::stages::{Given, Open, SlewingCrane};
@@ -141,6 +143,20 @@ fn in_air(
     Some((around, WindAtLoad { v_air, chi_air }))
 }
 
+/// In motion on a rope of another length (m), its command shaped or not.
+fn on_rope(this: &Description<SlewingScene>, length: f64, shaped: bool) -> Option<MovingComponent> {
+    let mut other = this.clone();
+    if !shaped {
+        other
+            .courses
+            .iter_mut()
+            .for_each(|(_, course)| *course = course.plain());
+    }
+    other.own.given.rope = Some(RopeLength { l_r: length });
+    other.own.given.swung = Some(HangingLoad::resting(length, [0.0, 0.0]).into());
+    other.moving()?.ok()
+}
+
 impl Described for SlewingScene {
     type Component = SlewingCrane;
     const ID: &'static str = "slewing";
@@ -148,16 +164,11 @@ impl Described for SlewingScene {
     const OUTLINE: &'static Outline = &OUTLINE;
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "slewing_symbol",
-        own: &[s::ALL],
-        shared: &[
-            joint::ALL,
-            control::ALL,
-            shaping::ALL,
-            hanging::ALL,
-            air::ALL,
-            gravity::ALL,
-        ],
+        own: &[s::ALL, control::ALL, shaping::ALL],
+        shared: &[joint::ALL, hanging::ALL, air::ALL, gravity::ALL],
     };
+
+    const FOLLOWED: &'static [&'static Symbol] = &[&s::M_SL];
 
     fn read(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<(SlewingScene, Motion)> {
         let before = found.len();
@@ -180,7 +191,7 @@ impl Described for SlewingScene {
         let (control, commanded) =
             SlewingControl::read_for(v, joint.turning.j_sl + carried / gravity * n(s::R.id), found).unzip();
         let told = v.table(CONTROL.name).and_then(|table| table.course(s::OMEGA_C_SL.id));
-        let shaped = told.and_then(|course| course.shaped);
+        let shaped = told.and_then(|course| course.shaped.as_ref().map(|(period, _)| *period));
         let lasts = v
             .course(s::M_SL.id)
             .map_or((range.to - range.from) / range.speed.abs(), Course::end);
@@ -324,14 +335,16 @@ impl Described for SlewingScene {
     }
 
     fn assumptions(this: &Description<SlewingScene>) -> Vec<&'static str> {
-        match (this.given.driven, this.given.swung) {
+        let mut list = match (this.given.driven, this.given.swung) {
             (None, _) => vec!["slewing_level_static", "slewing_load"],
             (_, None) => vec!["slewing_level_rigid", "slewing_load"],
             (_, Some(_)) => {
                 let damped = this.given.around.map_or("slewing_undamped", |_| "air");
                 vec!["slewing_level_swing", damped, "slewing_hook"]
             }
-        }
+        };
+        list.extend(this.given.control.map(|_| "slewing_control"));
+        list
     }
 
     fn uncovered(this: &Description<SlewingScene>) -> Vec<&'static str> {
@@ -363,10 +376,25 @@ impl Described for SlewingScene {
             load.map(&mut |symbol, value| stands("hook", symbol, value));
         }
         if let Some(latched) = &self.given.latched {
-            latched.map(&mut |symbol, value| stands("control", symbol, value));
+            latched.map(&mut |symbol, value| stands("latched", symbol, value));
         }
         if let Some(shaping) = &self.given.shaping {
-            stands("control", &s::T_SH, shaping.t_sh);
+            stands("latched", &s::T_SH, shaping.t_sh);
+        }
+    }
+
+    /// What a shaped command leaves, by the length of the rope.
+    fn after_runs(this: &Description<SlewingScene>, sheet: &mut Sheet) {
+        let section = sheet
+            .constants
+            .iter_mut()
+            .find(|section| section.id == "slewing_shaping");
+        if let Some((section, shaping)) = section.zip(this.given.shaping) {
+            let rope = [this.given.rope.map_or(0.0, |rope| rope.l_r), this.given.hung.g];
+            section.table = Some(left::table(&shaping, rope, &|length, shaped| {
+                on_rope(this, length, shaped)
+            }));
+            section.curve = Some(left::curve(&shaping, rope));
         }
     }
 
