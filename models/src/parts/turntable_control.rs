@@ -87,6 +87,18 @@ impl<C: Calc> SlewingControl<C> {
     }
 }
 
+impl Latched<f64> {
+    /// With a set point (rad/s) and no moment yet.
+    #[must_use]
+    pub fn steady(set: f64) -> Latched<f64> {
+        Latched {
+            set,
+            integral: 0.0,
+            moment: 0.0,
+        }
+    }
+}
+
 impl SlewingControl<f64> {
     /// As a table of a scene has it, for an inertia (kg·m²); refuses one that no inertia would follow, and a moment beside it.
     pub fn read_for(

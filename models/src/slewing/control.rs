@@ -12,12 +12,12 @@ use crate::slewing::turning::Hung;
 
 /// What the controller holds.
 #[derive(Clone, Copy, Debug)]
-pub struct Held<C>(Latched<C>);
-results! { Held as h => { M_SL: h.0.moment; OMEGA_S_SL: h.0.set; M_I_SL: h.0.integral; } }
+pub struct Controlled<C>(Latched<C>);
+results! { Controlled as c => { M_SL: c.0.moment; OMEGA_S_SL: c.0.set; M_I_SL: c.0.integral; } }
 
-impl<C: Calc> Held<C> {
-    pub fn new(latched: &Latched<C>) -> Held<C> {
-        Held(*latched)
+impl<C: Calc> Controlled<C> {
+    pub fn new(latched: &Latched<C>) -> Controlled<C> {
+        Controlled(*latched)
     }
 }
 

@@ -143,6 +143,18 @@ fn in_air(
     Some((around, WindAtLoad { v_air, chi_air }))
 }
 
+/// How the command of the speed is shaped.
+fn shaping(v: &Values) -> Option<Shaping<f64>> {
+    let course = v.table(CONTROL.name)?.course(s::OMEGA_C_SL.id)?;
+    course.shaped.as_ref().map(|(period, _)| Shaping { t_sh: *period })
+}
+
+/// What the scene makes an input.
+fn open(v: &Values) -> Open {
+    let both = [&s::R, &s::Q].into_iter();
+    Open(both.filter(|symbol| v.is_input(symbol.id)).collect())
+}
+
 /// In motion on a rope of another length (m), its command shaped or not.
 fn on_rope(this: &Description<SlewingScene>, length: f64, shaped: bool) -> Option<MovingComponent> {
     let mut other = this.clone();
@@ -190,8 +202,6 @@ impl Described for SlewingScene {
         let (around, blowing) = air.unzip();
         let (control, commanded) =
             SlewingControl::read_for(v, joint.turning.j_sl + carried / gravity * n(s::R.id), found).unzip();
-        let told = v.table(CONTROL.name).and_then(|table| table.course(s::OMEGA_C_SL.id));
-        let shaped = told.and_then(|course| course.shaped.as_ref().map(|(period, _)| *period));
         let lasts = v
             .course(s::M_SL.id)
             .map_or((range.to - range.from) / range.speed.abs(), Course::end);
@@ -234,20 +244,11 @@ impl Described for SlewingScene {
             slackness: swings.then_some(Slackness { slack: 0.0 }),
             control,
             commanded,
-            latched: control.map(|_| Latched {
-                set: range.speed,
-                integral: 0.0,
-                moment: 0.0,
-            }),
-            shaping: shaped.filter(|_| swings).map(|t_sh| Shaping { t_sh }),
+            latched: control.map(|_| Latched::steady(range.speed)),
+            shaping: shaping(v).filter(|_| swings),
             past: Past { way: 1.0, blown: 0.0 },
             stops: Stops(joint.stops),
-            open: Open(
-                [&s::R, &s::Q]
-                    .into_iter()
-                    .filter(|symbol| v.is_input(symbol.id))
-                    .collect(),
-            ),
+            open: open(v),
         };
         let step = v.of(&s::STEP).unwrap_or_else(|| slewed.longest());
         Some((
@@ -384,7 +385,7 @@ impl Described for SlewingScene {
     }
 
     /// What a shaped command leaves, by the length of the rope.
-    fn after_runs(this: &Description<SlewingScene>, sheet: &mut Sheet) {
+    fn after_cycle(this: &Description<SlewingScene>, sheet: &mut Sheet) {
         let section = sheet
             .constants
             .iter_mut()

@@ -13,7 +13,7 @@ use crate::parts::turntable::Turning;
 use crate::parts::turntable_control::{CommandedSpeed, Latched, SlewingControl};
 use crate::slewing::air::{FeltAir, stream};
 use crate::slewing::blows::SwungInstant;
-use crate::slewing::control::{Held, Regulated, SwayLeft, acting};
+use crate::slewing::control::{Controlled, Regulated, SwayLeft, acting};
 use crate::slewing::motion::{self, Led, Past, SlewingDrive, SlewingEvents, Stops, Turned, joint, resisting, struck};
 use crate::slewing::swinging::{
     RopeLength, Slackness, Swinging, SwingingLoad, SwingingRates, leaning, led, slackening,
@@ -51,7 +51,7 @@ stages! {
         regulated: Regulated<C> = Regulated::new(control[!], turning, swung, total);
         sway_left: SwayLeft<C> = SwayLeft::new(shaping[!], rope[!], hung);
         sampled: Latched<C> = SlewingControl::sample(control[!], commanded[!], latched[!], omega) => _;
-        held: Held<C> = Held::new(latched[!]);
+        controlled: Controlled<C> = Controlled::new(latched[!]);
         drive: SlewingDrive<C> = acting(driven[!], latched) => _;
         leaning: C = leaning(slope[!], swung[!], psi) => M_GAMMA_U;
         stream: Stream<C> = stream(around[!], blowing[!], hung, psi) => _;
