@@ -19,6 +19,7 @@ symbols! {
     OMEGA_C_SL: "omega_csl" "omega_\"c sl\"" RAD_PER_S / DEG_PER_S, "Commanded angular velocity of slewing.", "input";
     OMEGA_S_SL: "omega_ssl" "omega_\"s sl\"" RAD_PER_S / DEG_PER_S, "Set point of the slewing controller since its last sample.", "derived";
     M_I_SL: "M_isl" "M_\"i sl\"" N_M / KN_M, "Integral part of the moment since the last sample.", "derived";
+    M_H_SL: "M_hsl" "M_\"h sl\"" N_M / KN_M, "Moment that the controller holds since its last sample.", "derived";
     OMEGA_N_SL: "omega_nsl" "omega_\"n sl\"" RAD_PER_S / DEG_PER_S, "Set point from this sample to the next.", "derived";
     E_N_SL: "e_nsl" "e_\"n sl\"" RAD_PER_S / DEG_PER_S, "Error of the angular velocity of slewing at a sample.", "derived";
     M_A_SL: "M_asl" "M_\"a sl\"" N_M / KN_M, "Moment that the controller asks for, before its limit.", "derived";
@@ -40,7 +41,7 @@ quantities! {
 
 quantities! {
     /// What it holds from one sample to the next.
-    Latched { set: OMEGA_S_SL, integral: M_I_SL, moment: M_SL }
+    Latched { set: OMEGA_S_SL, integral: M_I_SL, moment: M_H_SL }
 }
 
 const NAMES: SampleNames = SampleNames {

@@ -13,7 +13,7 @@ use crate::slewing::turning::Hung;
 /// What the controller holds.
 #[derive(Clone, Copy, Debug)]
 pub struct Controlled<C>(Latched<C>);
-results! { Controlled as c => { M_SL: c.0.moment; OMEGA_S_SL: c.0.set; M_I_SL: c.0.integral; } }
+results! { Controlled as c => { M_SL: c.0.moment.def(&s::M_SL); OMEGA_S_SL: c.0.set; M_I_SL: c.0.integral; } }
 
 impl<C: Calc> Controlled<C> {
     pub fn new(latched: &Latched<C>) -> Controlled<C> {

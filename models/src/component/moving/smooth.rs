@@ -204,14 +204,15 @@ impl SmoothPieces {
         self.clock = self.clock.map(|_| Clock::STOPPED);
     }
 
-    /// A sample at the present time where it is due.
-    fn sample(&mut self, model: &mut Standing) -> Result<(), Fault> {
+    /// A sample at the present time where it is due; returns whether it was.
+    fn sample(&mut self, model: &mut Standing) -> Result<bool, Fault> {
         let (cycle, time) = (cycle(model), model.time());
-        if let Some(clock) = self.clock.filter(|clock| clock.is_due(cycle, time)) {
+        let due = self.clock.filter(|clock| clock.is_due(cycle, time));
+        if let Some(clock) = due {
             model.part_mut().latch().map_err(|fault| *fault)?;
             self.clock = Some(clock.sampled(cycle, time));
         }
-        Ok(())
+        Ok(due.is_some())
     }
 
     /// From sample to sample; what fails leaves it anywhere.
@@ -223,8 +224,10 @@ impl SmoothPieces {
         let mut time = from;
         while time < to {
             model.set_time(time);
-            self.sample(model)?;
-            decide(model)?;
+            // An event that was asked for at this time has done both already.
+            if self.sample(model)? {
+                decide(model)?;
+            }
             let end = self.clock.and_then(|clock| clock.next_before(cycle, to)).unwrap_or(to);
             let ramps: Vec<Ramp> = ramps.iter().map(|ramp| ramp.after(time - from)).collect();
             self.piece(model, [time, end], &ramps)?;
