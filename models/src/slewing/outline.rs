@@ -3,7 +3,7 @@
 use crate::component::outline::Explained::Stage;
 use crate::component::outline::{Greatest, Limit, Most, Outline, chapters};
 use crate::kernel::symbol::listed;
-use crate::parts::turntable;
+use crate::parts::{turntable, turntable_control};
 use crate::slewing::symbols as s;
 
 pub const OUTLINE: Outline = Outline {
@@ -41,6 +41,11 @@ pub const OUTLINE: Outline = Outline {
     ],
     uses: &[
         ("stops", listed!(turntable: PSI_MIN, PSI_MAX)),
+        (
+            "control",
+            listed!(turntable_control: A_SL, M_MAX_SL, T_C_SL, OMEGA_S_SL),
+        ),
+        ("start", &[&s::PSI_SL]),
         ("hook", &[&s::L_R, &s::PHI_R, &s::CHI_R]),
     ],
     forces: listed!(s: M_ST, F_N, F_T, S_R),
