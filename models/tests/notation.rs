@@ -9,14 +9,14 @@ use lemnis_models::kernel::gravity;
 use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::luffing;
 use lemnis_models::luffing::double_link;
-use lemnis_models::parts::{air, ground, hanging, hydraulics, motor, teeth, turntable};
+use lemnis_models::parts::{air, ground, hanging, hydraulics, motor, shaping, teeth, turntable, turntable_control};
 use lemnis_models::registry;
 use lemnis_models::slewing;
 use lemnis_models::steering;
 use lemnis_models::supports::{column, drive as drive_of_supports, mobile, portal, ring, upper};
 
 /// Every mechanism with its table.
-const TABLES: [(&str, &[&Symbol]); 27] = [
+const TABLES: [(&str, &[&Symbol]); 29] = [
     ("The double-link luffing mechanism", double_link::symbols::ALL),
     (
         "The double-link luffing mechanism in motion",
@@ -31,6 +31,8 @@ const TABLES: [(&str, &[&Symbol]); 27] = [
     ("The boom on guide and link", luffing::ellipsograph::symbols::ALL),
     ("The boom with a curved trunk", luffing::curved_trunk::symbols::ALL),
     ("The joint by which a crane slews", turntable::ALL),
+    ("The controller of that joint's speed", turntable_control::ALL),
+    ("A command shaped against a swing", shaping::ALL),
     ("A load on its rope, from a head that joints move", hanging::ALL),
     ("Air around a load on its rope", air::ALL),
     ("Ground below a load on its rope", ground::ALL),

@@ -34,7 +34,8 @@ pub(crate) fn cycle<T: Described>(told: &Description<T>) -> Option<Cycle> {
     }
     let commanded: Vec<usize> = commands.into_iter().map(|(index, _)| index).collect();
     let symbol = |model: &MovingComponent, index: usize| model.variables()[index].symbol;
-    let seen: Vec<usize> = commanded.iter().copied().chain(seen::<T>(&model)).collect();
+    let followed = seen::<T>(&model).into_iter().filter(|index| !commanded.contains(index));
+    let seen: Vec<usize> = commanded.iter().copied().chain(followed).collect();
     let end = model.stop_time();
     let sample = end / f64::from(SAMPLES);
     let frames = series::seen(&model);

@@ -183,13 +183,16 @@ fn traced(model: &Standing, recorder: Recorder) -> (Vec<BTreeSet<Name>>, Vec<boo
                 };
                 let mut of = |source, (symbol, number): Quantity, value| {
                     let index = sources.iter().position(|(other, _)| *other == source);
-                    let index = index.expect("one of the sources");
+                    // What another source stands for in this scene.
+                    let Some(index) = index else {
+                        return Rec::constant(value);
+                    };
                     debug_assert_eq!(names[index], (symbol.id, number));
                     match used(source) {
                         Use::Coordinate => named(index, symbol, at),
                         Use::Rate => named(index, symbol, rate),
                         Use::Time => named(sources.len(), &TIME, time),
-                        Use::Memory => Rec::constant(value),
+                        Use::Memory | Use::Fixed => Rec::constant(value),
                         _ => named(index, symbol, value),
                     }
                 };

@@ -148,6 +148,9 @@ pub trait Described: Clone + fmt::Debug + Send + Sync + Sized + 'static {
         None
     }
 
+    /// What the run through commands over time adds.
+    fn after_cycle(_this: &Description<Self>, _sheet: &mut Sheet) {}
+
     /// Chapters of its own.
     fn more(_this: &Description<Self>, _model: &mut Standing, _sheet: &mut Sheet) {}
 }

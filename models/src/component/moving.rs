@@ -308,8 +308,14 @@ impl Running for MovingComponent {
     }
 
     fn event(&mut self) -> Result<bool, Fault> {
-        let jumped = self.pass(self.standing.time())?;
-        if jumped {
+        let time = self.standing.time();
+        let jumped = self.pass(time)?;
+        // What is shown goes on as it would without being shown.
+        let shown = self
+            .commands
+            .as_ref()
+            .is_some_and(|commands| commands.now.shown == time);
+        if jumped && !shown {
             self.interrupt();
         }
         Ok(jumped)

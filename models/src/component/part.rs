@@ -62,6 +62,20 @@ pub trait Component: Stages {
         Ok(false)
     }
 
+    /// The time from one of its samples to the next, in s, where it is sampled.
+    #[must_use]
+    fn cycle(_: &Self::Given<f64>) -> Option<f64> {
+        None
+    }
+
+    /// A sample: what it remembers follows from states and inputs.
+    ///
+    /// # Errors
+    /// A configuration that does not exist.
+    fn latch(_: &mut Self::Known<f64>) -> Found<()> {
+        Ok(())
+    }
+
     /// Brings the component to the present sources: what must be possible at any time.
     ///
     /// # Errors
@@ -151,6 +165,13 @@ pub trait Part: Face<f64> {
     /// # Errors
     /// A configuration that does not exist.
     fn decide(&mut self) -> Found<bool>;
+    /// As [`Component::cycle`].
+    fn cycle(&self) -> Option<f64>;
+    /// As [`Component::latch`].
+    ///
+    /// # Errors
+    /// As there.
+    fn latch(&mut self) -> Found<()>;
     /// Of [`Component::WHOLE`].
     fn whole(&self) -> &'static [Whole];
     /// Of [`Component::PORTS`].
@@ -294,6 +315,14 @@ impl<T: Component> Part for Runner<T, f64> {
 
     fn decide(&mut self) -> Found<bool> {
         T::decide(&mut self.0)
+    }
+
+    fn cycle(&self) -> Option<f64> {
+        T::cycle(self.given())
+    }
+
+    fn latch(&mut self) -> Found<()> {
+        T::latch(&mut self.0)
     }
 
     fn whole(&self) -> &'static [Whole] {

@@ -47,7 +47,7 @@ pub struct Slot {
 /// What a group of given quantities is to whoever runs the component.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Use {
-    /// What the scene has chosen: no number.
+    /// What the scene has chosen: no variable.
     Fixed,
     Parameter,
     Input,

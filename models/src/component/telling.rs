@@ -158,8 +158,9 @@ pub fn sheet<T: Described>(told: &Description<T>, origins: &Origins, asked: &[Pl
         None => {}
     }
     if let Some(cycle) = &cycle {
-        let told = cycle.commands.iter().map(|(symbol, _)| *symbol);
-        sheet.uses.push(("cycle", told.collect()));
+        let commanded = cycle.commands.iter().map(|(symbol, _)| *symbol);
+        sheet.uses.push(("cycle", commanded.collect()));
+        T::after_cycle(told, &mut sheet);
     }
     sheet.cycle = cycle;
     sheet.drop_nothing();

@@ -26,6 +26,8 @@ impl Between {
 pub struct Course {
     pub rows: Vec<[f64; 2]>,
     pub between: Between,
+    /// Where it is shaped: period (s) of the swing against which it is, and its rows without that.
+    pub shaped: Option<(f64, Vec<[f64; 2]>)>,
 }
 
 impl Course {
@@ -42,6 +44,41 @@ impl Course {
                 [value + slope * (time.clamp(from, *to) - from), slope]
             }
             (Some([_, value]), _) => [value, 0.0],
+        }
+    }
+
+    /// Half of itself, and half of itself half a period (s) later: of a swing of that period the second pulse takes what the
+    /// first one has given. [Singer1990]
+    #[must_use]
+    pub fn shaped(self, period: f64) -> Course {
+        let late = 0.5 * period;
+        let both = self.rows.iter().flat_map(|[time, _]| [*time, *time + late]);
+        let mut times: Vec<f64> = both.collect();
+        times.sort_by(f64::total_cmp);
+        times.dedup();
+        let now = |time: f64| self.at(time, time)[0];
+        // A late break must come in its new value, whatever the rounding of its time.
+        let delayed = Course {
+            rows: self.rows.iter().map(|[time, value]| [time + late, *value]).collect(),
+            ..self.clone()
+        };
+        let rows = times
+            .iter()
+            .map(|&time| [time, 0.5 * (now(time) + delayed.at(time, time)[0])]);
+        Course {
+            rows: rows.collect(),
+            between: self.between,
+            shaped: Some((period, self.rows.clone())),
+        }
+    }
+
+    /// As it was before it was shaped.
+    #[must_use]
+    pub fn plain(&self) -> Course {
+        Course {
+            rows: self.shaped.as_ref().map_or(&self.rows, |(_, rows)| rows).clone(),
+            between: self.between,
+            shaped: None,
         }
     }
 

@@ -15,6 +15,7 @@ use crate::kernel::variable::TIME;
 /// Names of what a quantity over time is made of.
 pub(super) const OVER: &str = "over";
 pub(super) const BETWEEN: &str = "between";
+pub(super) const SHAPED: &str = "shaped";
 
 /// Rows of one quantity at least and at most.
 const ROWS: [usize; 2] = [2, 1000];
@@ -35,7 +36,7 @@ pub(super) fn read(
     found: &mut Vec<Diagnostic>,
 ) -> Option<Course> {
     let before = found.len();
-    let (mut rows, mut between) = (Vec::new(), None);
+    let (mut rows, mut between, mut shaped) = (Vec::new(), None, None);
     for (name, value) in table {
         match (name.get_ref().as_ref(), value.get_ref()) {
             (OVER, DeValue::Array(items)) => {
@@ -59,9 +60,17 @@ pub(super) fn read(
                     }
                 }
             }
+            (SHAPED, DeValue::String(text)) => match quantity(text, &TIME, Sign::Positive) {
+                Ok(period) => shaped = Some(period),
+                Err((message, label, help)) => {
+                    let message = format!("`{path}.{SHAPED}`: {message}");
+                    found.push(Diagnostic::new(value.span(), message, label).help(help));
+                }
+            },
             ("source", _) => {}
             _ => {
-                let message = format!("`{path}` over time has `over`, `between` and `source`, and nothing else");
+                let message =
+                    format!("`{path}` over time has `over`, `between`, `shaped` and `source`, and nothing else");
                 found.push(Diagnostic::new(name.span(), message, "not this").help(help(key)));
             }
         }
@@ -78,8 +87,15 @@ pub(super) fn read(
         found.push(Diagnostic::new(place.clone(), message, "not later").help("let the times of its rows rise"));
     }
     let rows = rows.into_iter().map(|(time, value, _)| [time, value]).collect();
-    let course = between.map(|between| Course { rows, between });
-    course.filter(|_| found.len() == before)
+    let course = between.filter(|_| found.len() == before).map(|between| Course {
+        rows,
+        between,
+        shaped: None,
+    })?;
+    Some(match shaped {
+        Some(period) => course.shaped(period),
+        None => course,
+    })
 }
 
 fn count(rows: usize) -> String {

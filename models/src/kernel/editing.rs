@@ -5,15 +5,17 @@ use std::ops::Range;
 
 use toml::de::{DeTable, DeValue};
 
-use crate::kernel::courses::{BETWEEN, OVER};
+use crate::kernel::courses::{BETWEEN, OVER, SHAPED};
 use crate::kernel::diagnostic::Edit;
 use crate::kernel::example::{is_table, template};
 use crate::kernel::keys::NOTE;
 use crate::kernel::measure::units;
 use crate::kernel::schema::{KIND, Key, Kind};
+use crate::kernel::sign::Sign;
 use crate::kernel::site::{Context, Site};
 use crate::kernel::text::LANGUAGES;
 use crate::kernel::unit;
+use crate::kernel::variable::TIME;
 
 /// Something that may be written.
 #[derive(Clone, Debug)]
@@ -208,6 +210,13 @@ fn inside(key: &Key, kind: Option<&str>) -> Vec<Key> {
                     ..*key
                 },
                 Key::choice(BETWEEN, key.between, "What it does from one time to the next."),
+                Key::named(
+                    SHAPED,
+                    &TIME,
+                    Sign::Positive,
+                    "Period of a swing that it leaves without: half of it comes half of that later.",
+                )
+                .optional(),
             ];
             let over = over.into_iter().filter(|_| !key.between.is_empty());
             values

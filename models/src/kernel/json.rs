@@ -35,6 +35,7 @@ fn over_time(time: &Json, value: &Json, between: &[&str]) -> Json {
         "properties": {
             "over": { "type": "array", "items": row, "minItems": 2 },
             "between": { "type": "string", "enum": between },
+            "shaped": time,
             "source": translated(&json!({ "type": "string" })),
         },
         "required": ["over", "between"],

@@ -1,9 +1,10 @@
-//! What several mechanisms are made of: plane geometry, air, ground, a four-bar, joints, buckling, slewing, teeth, a load curve, a load on its rope, a hoist, a body on springs, motors with brakes, motion over a range, oil, solvers.
+//! What several mechanisms are made of: plane geometry, air, ground, a four-bar, a speed controller, joints, buckling, slewing, teeth, a load curve, a load on its rope, a hoist, a body on springs, motors with brakes, motion over a range, oil, solvers.
 
 pub mod air;
 pub mod arcs;
 pub mod buckling;
 pub mod closure;
+pub mod control;
 mod dead_points;
 pub mod four_bar;
 pub mod ground;
@@ -16,8 +17,10 @@ pub mod load_curve;
 pub mod motion;
 pub mod motor;
 pub mod plane;
+pub mod shaping;
 pub mod smooth_curve;
 pub mod solver;
 pub mod springs;
 pub mod teeth;
 pub mod turntable;
+pub mod turntable_control;

@@ -8,6 +8,7 @@ use crate::kernel::symbol::Symbol;
 use crate::parts::hanging::too_short;
 use crate::parts::motion::{Motion, short_step};
 use crate::parts::turntable::{self as joint, MOST_SPIN, SlewingJoint};
+use crate::parts::turntable_control::{CONTROL, OMEGA_C_SL};
 use crate::slewing::symbols as s;
 
 /// Least time in which friction stops what slews, as a part of that which the working range takes, and of that of a pendulum
@@ -134,10 +135,14 @@ impl Slewed<'_> {
     fn spins(&self) -> Option<Diagnostic> {
         let most = (MOST_SPIN * self.gravity / self.widest()).sqrt();
         let motion = self.table.table("motion")?;
-        let speeds = [
+        let mut speeds = vec![
             (self.table, joint::OMEGA_SL.id, self.joint.start[1]),
             (motion, "speed", self.range.speed),
         ];
+        if let Some(control) = self.table.table(CONTROL.name) {
+            let commanded = control.greatest(OMEGA_C_SL.id).unwrap_or(0.0);
+            speeds.push((control, OMEGA_C_SL.id, commanded));
+        }
         let head = self.of(&s::R) == self.widest();
         let place = if head {
             "at the head"

@@ -19,6 +19,7 @@
 //! | `slewing.slope` | [`turning::tilt`] | Ports001, 6.4, by virtual work |
 //! | `slewing.steady` | [`turning::Steady::new`] | Ports001, 6.4 |
 //! | `slewing.circle` | [`turning::Circling::new`] | mechanics |
+//! | `slewing.control` | [`control::Regulated::new`], [`control::acting`] | sampled PI control |
 //! | `slewing.friction` | [`motion::resisting`] | Ports001, 6.5 |
 //! | `slewing.motion` | [`motion::Turned::new`] | Ports001, 6.5 |
 //! | `slewing.air` | [`air::stream`], [`air::FeltAir::new`] | drag |
@@ -29,6 +30,8 @@
 pub mod air;
 pub mod blows;
 mod bounds;
+pub mod control;
+mod left;
 pub mod motion;
 mod outline;
 pub mod scene;

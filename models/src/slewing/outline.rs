@@ -3,16 +3,21 @@
 use crate::component::outline::Explained::Stage;
 use crate::component::outline::{Greatest, Limit, Most, Outline, chapters};
 use crate::kernel::symbol::listed;
-use crate::parts::turntable;
+use crate::parts::{turntable, turntable_control};
 use crate::slewing::symbols as s;
 
 pub const OUTLINE: Outline = Outline {
-    inputs: chapters!(slewing "", slope, load "Q", hook, air, motion, limits),
-    constants: &[("slewing_inertia", &[Stage("carried"), Stage("total")])],
+    inputs: chapters!(slewing "", slope, load "Q", hook, air, control, motion, limits),
+    constants: &[
+        ("slewing_inertia", &[Stage("carried"), Stage("total")]),
+        ("slewing_regulated", &[Stage("regulated")]),
+        ("slewing_shaping", &[Stage("sway_left")]),
+    ],
     sections: &[
         ("slewing_slope", &[Stage("tilt")]),
         ("slewing_steady", &[Stage("steady")]),
         ("slewing_circle", &[Stage("circling")]),
+        ("slewing_control", &[Stage("sampled")]),
         ("motion_air", &[Stage("stream")]),
         ("slewing_swing", &[Stage("leaning"), Stage("swinging")]),
         ("slewing_motion", &[Stage("resisting"), Stage("turned")]),
@@ -36,6 +41,11 @@ pub const OUTLINE: Outline = Outline {
     ],
     uses: &[
         ("stops", listed!(turntable: PSI_MIN, PSI_MAX)),
+        (
+            "control",
+            listed!(turntable_control: A_SL, M_MAX_SL, T_C_SL, OMEGA_S_SL),
+        ),
+        ("start", &[&s::PSI_SL]),
         ("hook", &[&s::L_R, &s::PHI_R, &s::CHI_R]),
     ],
     forces: listed!(s: M_ST, F_N, F_T, S_R),

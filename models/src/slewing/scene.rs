@@ -6,7 +6,7 @@ use crate::component::mechanism::{Entry, Solver};
 use crate::component::moving::MovingComponent;
 use crate::component::moving::smooth::SmoothPieces;
 use crate::component::outline::{Limit, Outline};
-use crate::component::sheet::{Check, Drawing, Input};
+use crate::component::sheet::{Check, Drawing, Input, Sheet};
 use crate::component::standing::Standing;
 use crate::component::telling::{fine, sample};
 use crate::kernel::calc::Calc;
@@ -17,13 +17,17 @@ use crate::kernel::group::One;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Values};
 use crate::kernel::sign::Sign;
+use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::Fault;
 use crate::parts::air::{self, AIR, AirAround, WindAtLoad, around};
 use crate::parts::hanging::{self, HangingLoad};
 use crate::parts::motion::Motion;
 use crate::parts::plane::Point;
+use crate::parts::shaping::{self, Shaping};
 use crate::parts::turntable::{self as joint, SlewingJoint};
+use crate::parts::turntable_control::{self as control, CONTROL, Latched, SlewingControl};
 use crate::slewing::bounds::Slewed;
+use crate::slewing::left;
 use crate::slewing::motion::{Past, SlewingDrive, Stops};
 use crate::slewing::outline::OUTLINE;
 use crate::slewing::stages::{Given, Open, SlewingCrane};
@@ -49,6 +53,7 @@ pub const KEYS: &[Key] = keys! { joint:
     Key::part("motion", MOTION, "Working range of slewing by itself."),
     Key::part("slope", SLOPE, "The ground that is not level, and what stands on it."),
     AIR,
+    CONTROL,
     Key::part("limits", LIMITS, "What results may come to at most.")
 };
 
@@ -65,7 +70,9 @@ const LIMITS: &[Key] = &Limit::keys::<3>(OUTLINE.limits);
 static DYNAMICS: &[Key] = keys! { s: STEP > 0 };
 
 /// Keys that say something of a motion alone, and of a load that swings.
-const MOVING: [&str; 7] = ["M_sl", "M_Bsl", "psi_sl", "omega_sl", "psi_min", "psi_max", "dynamics"];
+const MOVING: [&str; 8] = [
+    "M_sl", "M_Bsl", "psi_sl", "omega_sl", "psi_min", "psi_max", "dynamics", "control",
+];
 const SWINGING: [&str; 3] = ["l_R", "phi_R", "chi_R"];
 
 /// What the rates cost, in s, without a load that swings and with it.
@@ -136,6 +143,32 @@ fn in_air(
     Some((around, WindAtLoad { v_air, chi_air }))
 }
 
+/// How the command of the speed is shaped.
+fn shaping(v: &Values) -> Option<Shaping<f64>> {
+    let course = v.table(CONTROL.name)?.course(s::OMEGA_C_SL.id)?;
+    course.shaped.as_ref().map(|(period, _)| Shaping { t_sh: *period })
+}
+
+/// What the scene makes an input.
+fn open(v: &Values) -> Open {
+    let both = [&s::R, &s::Q].into_iter();
+    Open(both.filter(|symbol| v.is_input(symbol.id)).collect())
+}
+
+/// In motion on a rope of another length (m), its command shaped or not.
+fn on_rope(this: &Description<SlewingScene>, length: f64, shaped: bool) -> Option<MovingComponent> {
+    let mut other = this.clone();
+    if !shaped {
+        other
+            .courses
+            .iter_mut()
+            .for_each(|(_, course)| *course = course.plain());
+    }
+    other.own.given.rope = Some(RopeLength { l_r: length });
+    other.own.given.swung = Some(HangingLoad::resting(length, [0.0, 0.0]).into());
+    other.moving()?.ok()
+}
+
 impl Described for SlewingScene {
     type Component = SlewingCrane;
     const ID: &'static str = "slewing";
@@ -143,9 +176,11 @@ impl Described for SlewingScene {
     const OUTLINE: &'static Outline = &OUTLINE;
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "slewing_symbol",
-        own: &[s::ALL],
+        own: &[s::ALL, control::ALL, shaping::ALL],
         shared: &[joint::ALL, hanging::ALL, air::ALL, gravity::ALL],
     };
+
+    const FOLLOWED: &'static [&'static Symbol] = &[&s::M_SL];
 
     fn read(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<(SlewingScene, Motion)> {
         let before = found.len();
@@ -165,6 +200,8 @@ impl Described for SlewingScene {
         let air = v.table(AIR.name).filter(|_| swings);
         let air = air.and_then(|table| in_air(table, [n(s::L_R.id), gravity], found));
         let (around, blowing) = air.unzip();
+        let (control, commanded) =
+            SlewingControl::read_for(v, joint.turning.j_sl + carried / gravity * n(s::R.id), found).unzip();
         let lasts = v
             .course(s::M_SL.id)
             .map_or((range.to - range.from) / range.speed.abs(), Course::end);
@@ -205,14 +242,13 @@ impl Described for SlewingScene {
             around,
             blowing,
             slackness: swings.then_some(Slackness { slack: 0.0 }),
+            control,
+            commanded,
+            latched: control.map(|_| Latched::steady(range.speed)),
+            shaping: shaping(v).filter(|_| swings),
             past: Past { way: 1.0, blown: 0.0 },
             stops: Stops(joint.stops),
-            open: Open(
-                [&s::R, &s::Q]
-                    .into_iter()
-                    .filter(|symbol| v.is_input(symbol.id))
-                    .collect(),
-            ),
+            open: open(v),
         };
         let step = v.of(&s::STEP).unwrap_or_else(|| slewed.longest());
         Some((
@@ -238,10 +274,12 @@ impl Described for SlewingScene {
     fn set_level(&mut self, level: &str) {
         if level != "swing" {
             (self.given.swung, self.given.rope, self.given.slackness) = (None, None, None);
+            self.given.shaping = None;
             (self.given.around, self.given.blowing) = (None, None);
         }
         if level == "static" {
             self.given.driven = None;
+            (self.given.control, self.given.commanded, self.given.latched) = (None, None, None);
         }
     }
 
@@ -249,7 +287,12 @@ impl Described for SlewingScene {
         match level {
             "swing" => Vec::new(),
             "rigid" => vec![("slewing", &SWINGING), (AIR.name, &[])],
-            _ => vec![("dynamics", &[]), ("slewing", &SWINGING), (AIR.name, &[])],
+            _ => vec![
+                ("dynamics", &[]),
+                ("slewing", &SWINGING),
+                (AIR.name, &[]),
+                (CONTROL.name, &[]),
+            ],
         }
     }
 
@@ -257,6 +300,9 @@ impl Described for SlewingScene {
         this.given.driven?;
         let mut resting = this.clone();
         resting.own.given.past.way = 0.0;
+        if let Some(latched) = &mut resting.own.given.latched {
+            latched.set = this.start[1];
+        }
         Some(MovingComponent::new(resting.standing(), |model| {
             SmoothPieces::new(model, &this.start, this.step)
         }))
@@ -290,14 +336,16 @@ impl Described for SlewingScene {
     }
 
     fn assumptions(this: &Description<SlewingScene>) -> Vec<&'static str> {
-        match (this.given.driven, this.given.swung) {
+        let mut list = match (this.given.driven, this.given.swung) {
             (None, _) => vec!["slewing_level_static", "slewing_load"],
             (_, None) => vec!["slewing_level_rigid", "slewing_load"],
             (_, Some(_)) => {
                 let damped = this.given.around.map_or("slewing_undamped", |_| "air");
                 vec!["slewing_level_swing", damped, "slewing_hook"]
             }
-        }
+        };
+        list.extend(this.given.control.map(|_| "slewing_control"));
+        list
     }
 
     fn uncovered(this: &Description<SlewingScene>) -> Vec<&'static str> {
@@ -312,19 +360,42 @@ impl Described for SlewingScene {
         std::iter::once("wind").chain(sway).chain(rest).collect()
     }
 
-    /// A load that swings stands where its rope and the angles of it put it.
+    /// A load that swings stands where its rope and the angles of it put it; a controller has held the speed of the working
+    /// range so far.
     fn arrange(&self, inputs: &mut Vec<Input>) {
-        if let Some(load) = &self.given.swung {
-            load.map(&mut |symbol, value| {
-                inputs.push(Input {
-                    symbol,
-                    value,
-                    number: None,
-                    chapter: "hook",
-                    given: None,
-                    usual: true,
-                });
+        let mut stands = |chapter, symbol, value| {
+            inputs.push(Input {
+                symbol,
+                value,
+                number: None,
+                chapter,
+                given: None,
+                usual: true,
             });
+        };
+        if let Some(load) = &self.given.swung {
+            load.map(&mut |symbol, value| stands("hook", symbol, value));
+        }
+        if let Some(latched) = &self.given.latched {
+            latched.map(&mut |symbol, value| stands("latched", symbol, value));
+        }
+        if let Some(shaping) = &self.given.shaping {
+            stands("latched", &s::T_SH, shaping.t_sh);
+        }
+    }
+
+    /// What a shaped command leaves, by the length of the rope.
+    fn after_cycle(this: &Description<SlewingScene>, sheet: &mut Sheet) {
+        let section = sheet
+            .constants
+            .iter_mut()
+            .find(|section| section.id == "slewing_shaping");
+        if let Some((section, shaping)) = section.zip(this.given.shaping) {
+            let rope = [this.given.rope.map_or(0.0, |rope| rope.l_r), this.given.hung.g];
+            section.table = Some(left::table(&shaping, rope, &|length, shaped| {
+                on_rope(this, length, shaped)
+            }));
+            section.curve = Some(left::curve(&shaping, rope));
         }
     }
 

@@ -4,13 +4,17 @@ use crate::component::part::{Component, Port, ports};
 use crate::component::stages::{Found, stages};
 use crate::kernel::group::{One, group};
 use crate::kernel::symbol::Symbol;
+use crate::kernel::variable::Variable;
 use crate::parts::air::{AirAround, Stream, WindAtLoad};
 use crate::parts::hanging::HangingLoad;
 use crate::parts::joint::{Arrival, Bar};
+use crate::parts::shaping::Shaping;
 use crate::parts::turntable::Turning;
+use crate::parts::turntable_control::{CommandedSpeed, Latched, SlewingControl};
 use crate::slewing::air::{FeltAir, stream};
 use crate::slewing::blows::SwungInstant;
-use crate::slewing::motion::{Led, Past, SlewingDrive, SlewingEvents, Stops, Turned, held, joint, resisting, struck};
+use crate::slewing::control::{Controlled, Regulated, SwayLeft, acting};
+use crate::slewing::motion::{self, Led, Past, SlewingDrive, SlewingEvents, Stops, Turned, joint, resisting, struck};
 use crate::slewing::swinging::{
     RopeLength, Slackness, Swinging, SwingingLoad, SwingingRates, leaning, led, slackening,
 };
@@ -30,8 +34,12 @@ stages! {
         Parameter rope: Option<RopeLength<C>>,
         Parameter around: Option<AirAround<C>>,
         Input blowing: Option<WindAtLoad<C>>,
+        Parameter control: Option<SlewingControl<C>>,
+        Input commanded: Option<CommandedSpeed<C>>,
         Memory past: Past<C>,
         Memory slackness: Option<Slackness<C>>,
+        Memory latched: Option<Latched<C>>,
+        Fixed shaping: Option<Shaping<C>>,
         Fixed stops: Stops,
         Fixed open: Open,
     } find {
@@ -40,18 +48,23 @@ stages! {
         tilt: C = tilt(slope[!], hung, psi) => M_GAMMA;
         steady: Steady<C> = Steady::new(turning, tilt[?], omega);
         circling: Circling<C> = Circling::new(carried, hung, total, omega);
+        regulated: Regulated<C> = Regulated::new(control[!], turning, swung, total);
+        sway_left: SwayLeft<C> = SwayLeft::new(shaping[!], rope[!], hung);
+        sampled: Latched<C> = SlewingControl::sample(control[!], commanded[!], latched[!], omega) => _;
+        controlled: Controlled<C> = Controlled::new(latched[!]);
+        drive: SlewingDrive<C> = acting(driven[!], latched) => _;
         leaning: C = leaning(slope[!], swung[!], psi) => M_GAMMA_U;
         stream: Stream<C> = stream(around[!], blowing[!], hung, psi) => _;
         swinging: Swinging<C> = Swinging::new(
-            turning, driven[!], past, slackness[!], stops, slope, leaning[?], stream[?], swung[!], hung, carried, psi,
+            turning, drive, past, slackness[!], stops, slope, leaning[?], stream[?], swung[!], hung, carried, psi,
             omega);
         in_air: FeltAir<C> = FeltAir::new(stream, swinging, hung, carried, omega);
         led: Led<C> = led(swinging) => _;
-        resisting: C = resisting(turning, driven[!], past, stops, tilt[?], led[?], omega) => M_R_SL;
-        turned: Turned<C> = Turned::new(driven[!], past, tilt[?], resisting, led[?], total, carried, hung, omega);
+        resisting: C = resisting(turning, drive, past, stops, tilt[?], led[?], omega) => M_R_SL;
+        turned: Turned<C> = Turned::new(drive, past, tilt[?], resisting, led[?], total, carried, hung, omega);
         rates: SwingingRates<C> = SwingingRates::new(swinging);
         struck: C = struck(driven[!], past) => W_BLOW;
-        events: SlewingEvents<C> = SlewingEvents::new(turning, driven[!], past, stops, tilt[?], led[?], psi, omega);
+        events: SlewingEvents<C> = SlewingEvents::new(turning, drive, past, stops, tilt[?], led[?], psi, omega);
         slackening: C = slackening(swinging, rope[!], slackness[!]) => Z_ROPE;
     }
 }
@@ -91,6 +104,27 @@ impl Component for SlewingCrane {
         symbol != &s::F_T || given.swung.is_none()
     }
 
+    /// The moment of the drive is given where no controller holds it.
+    fn gives(given: &Given<f64>, symbol: &'static Symbol) -> bool {
+        symbol != &s::M_SL || given.control.is_none()
+    }
+
+    fn list(given: &Given<f64>, variable: &mut Variable) -> u8 {
+        let held = [&s::M_SL, &s::OMEGA_S_SL, &s::M_I_SL];
+        variable.at_events = given.control.is_some() && held.contains(&variable.symbol);
+        0
+    }
+
+    fn cycle(given: &Given<f64>) -> Option<f64> {
+        given.control.map(|control| control.t_c)
+    }
+
+    fn latch(known: &mut Known<f64>) -> Found<()> {
+        let held = *known.sampled()?;
+        *known.latched() = Some(held);
+        Ok(())
+    }
+
     fn is_input(given: &Given<f64>, symbol: &'static Symbol) -> bool {
         given.open.0.contains(&symbol)
     }
@@ -101,9 +135,10 @@ impl Component for SlewingCrane {
 
     /// At rest it is decided again which way it goes, as drive and brake may have changed; an end stop takes all speed.
     fn decide(known: &mut Known<f64>) -> Found<bool> {
-        let Some(driven) = known.given.driven else {
+        if known.given.driven.is_none() {
             return Ok(false);
-        };
+        }
+        let driven = *known.drive()?;
         let joint = joint(&known.given.turning, &known.given.stops);
         let (start, mut blown) = (instant(known)?, 0.0);
         if start.omega == 0.0 {
@@ -133,7 +168,13 @@ impl Component for SlewingCrane {
             if now.bar == Bar::Held {
                 let tilt = known.given.slope.is_some().then(|| known.tilt().copied()).transpose()?;
                 let led = known.given.swung.is_some().then(|| known.led().copied()).transpose()?;
-                now.bar = Bar::loosened(held(&joint, &driven, tilt.as_ref(), led.as_ref(), &known.given.psi));
+                now.bar = Bar::loosened(motion::held(
+                    &joint,
+                    &driven,
+                    tilt.as_ref(),
+                    led.as_ref(),
+                    &known.given.psi,
+                ));
                 put(known, &now);
             }
             if instant(known)? == before {

@@ -13,6 +13,14 @@ pub struct Ramp {
     pub slope: f64,
 }
 
+impl Ramp {
+    /// The same after a time, in s.
+    pub(super) fn after(self, time: f64) -> Ramp {
+        let value = self.value + self.slope * time;
+        Ramp { value, ..self }
+    }
+}
+
 /// What is commanded over time.
 #[derive(Clone)]
 pub(super) struct Commands {
