@@ -46,6 +46,13 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
         n.remove(&["m_h", "q_in", "y_f", "dynamics"]);
     }
     working_range(&mut n, [0.0, 0.999 * most]);
+    // What is measured in more than turns may be passed several times: a hopper is not.
+    let mut motion = n.child("motion").expect("required");
+    if motion.get("to") > most {
+        motion.set("from", 0.0);
+        let to = motion.set("to", 0.999 * most);
+        motion.set("step", to / 20.0);
+    }
     table
 }
 

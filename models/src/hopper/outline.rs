@@ -6,7 +6,7 @@ use crate::hopper::symbols as s;
 use crate::kernel::symbol::listed;
 
 pub const OUTLINE: Outline = Outline {
-    inputs: chapters!(hopper "", motion, limits),
+    inputs: chapters!(hopper "", load "m_g", motion, limits),
     constants: &[
         ("hopper_balance", &[Stage("steady")]),
         ("hopper_capacity", &[Stage("capacity")]),
