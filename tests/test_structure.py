@@ -149,7 +149,7 @@ FLOORS = [
     ["parts"],
     ["component"],
     ["balance", "drive"],
-    ["luffing", "slewing", "steering", "supports"],
+    ["luffing", "slewing", "steering", "supports", "hopper"],
     ["registry", "book", "vary"],
     ["reading", "request", "study"],
     ["scene"],

@@ -17,6 +17,8 @@ use crate::component::sheet::{Drawing, Sheet};
 use crate::component::standing::Standing;
 use crate::component::telling;
 use crate::drive;
+use crate::hopper;
+use crate::hopper::scene::HopperScene;
 use crate::kernel::origin::Origins;
 use crate::kernel::schema::Key;
 use crate::kernel::variable::{Name, TIME};
@@ -56,6 +58,7 @@ pub static MECHANISMS: &[Entry] = &[
     portal::scene::ENTRY,
     ring::scene::ENTRY,
     column::scene::ENTRY,
+    hopper::scene::ENTRY,
 ];
 
 /// Tables of a scene that describe a mechanism.
@@ -95,6 +98,12 @@ pub const SUPPORTS: Key = Key::kinds(
     "What a crane stands or slews on, and what it may lift there.",
 );
 
+pub const HOPPER: Key = Key::part(
+    "hopper",
+    hopper::scene::KEYS,
+    "The hopper of a crane, between its grab and a feeder.",
+);
+
 /// Parts of a crane that may stand beside its mechanism, at the top of the scene, as well as within it.
 pub const PARTS: [Key; 5] = [
     balance::scene::BALANCE,
@@ -106,7 +115,7 @@ pub const PARTS: [Key; 5] = [
 
 /// The scene's tables that a mechanism may stand in; what may be a part of another one comes last.
 pub fn tables() -> impl Iterator<Item = &'static str> {
-    [LUFFING.name, STEERING.name, SUPPORTS.name, PARTS[3].name].into_iter()
+    [LUFFING.name, STEERING.name, SUPPORTS.name, HOPPER.name, PARTS[3].name].into_iter()
 }
 
 /// Those of these tables that describe the mechanism of a scene: a part of a crane does where it stands alone.
@@ -157,6 +166,7 @@ static TELLERS: &[Teller] = &[
     teller::<PortalScene>(),
     teller::<RingScene>(),
     teller::<ColumnScene>(),
+    teller::<HopperScene>(),
 ];
 
 /// The symbols of every mechanism, by its id.

@@ -67,6 +67,7 @@ pub static KEYS: &[Key] = &[
     registry::LUFFING,
     registry::STEERING,
     registry::SUPPORTS,
+    registry::HOPPER,
     registry::PARTS[0],
     registry::PARTS[1],
     registry::PARTS[2],

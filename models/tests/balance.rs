@@ -617,6 +617,7 @@ fn results_carry_their_symbols() {
         step: 0.1,
         speed: 0.01,
         by_part: false,
+        period: std::f64::consts::TAU,
     };
     let found = Analysis::new(&boom(), &balance, [from, to]).expect("closes");
     let mut list = told(&at(rad(60.0)).expect("closes"));

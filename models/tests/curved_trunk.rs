@@ -139,6 +139,7 @@ fn choice() -> TrunkChoice {
             step: 0.1,
             speed: 1.0,
             by_part: false,
+            period: std::f64::consts::TAU,
         },
         from_rear: false,
         curve: None,

@@ -223,6 +223,7 @@ fn counted(to: f64, f: &dyn Fn(Dual64) -> Dual64) -> (Extreme, u32) {
             step: 0.1,
             speed: 1.0,
             by_part: false,
+            period: std::f64::consts::TAU,
         },
         0,
     );

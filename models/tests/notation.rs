@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 
 use lemnis_models::balance;
 use lemnis_models::drive;
+use lemnis_models::hopper;
 use lemnis_models::kernel::gravity;
 use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::luffing;
@@ -16,7 +17,7 @@ use lemnis_models::steering;
 use lemnis_models::supports::{column, drive as drive_of_supports, mobile, portal, ring, upper};
 
 /// Every mechanism with its table.
-const TABLES: [(&str, &[&Symbol]); 29] = [
+const TABLES: [(&str, &[&Symbol]); 30] = [
     ("The double-link luffing mechanism", double_link::symbols::ALL),
     (
         "The double-link luffing mechanism in motion",
@@ -55,6 +56,7 @@ const TABLES: [(&str, &[&Symbol]); 29] = [
     ),
     ("A slewing ring", ring::symbols::ALL),
     ("A column in three bearings", column::symbols::ALL),
+    ("The hopper of a crane", hopper::symbols::ALL),
     ("Gravity", gravity::ALL),
     ("The balance of the boom system", balance::symbols::ALL),
     ("Screw, pinion or crank of a drive", drive::symbols::ALL),

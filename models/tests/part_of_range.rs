@@ -213,6 +213,6 @@ fn a_mechanism_that_moves_by_itself_has_none() {
     assert!(model(moving).variables().iter().all(|v| v.symbol != &PART_OF_RANGE));
     let found = Scene::parse(&by_part(moving)).expect_err("not used");
     let [mistake] = &found[..] else { panic!("{found:?}") };
-    assert_eq!(mistake.message, "an input for an angle that moves by itself");
+    assert_eq!(mistake.message, "an input for what moves by itself");
     assert_eq!(&by_part(moving)[mistake.span.clone()], "\"s\"");
 }

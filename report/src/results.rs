@@ -177,6 +177,9 @@ impl Results {
             return None;
         };
         match (self.scene.mechanism.solver(), coordinate.role) {
+            (Some(_), Role::State) if rate.role != Role::State => Some(format!(
+                "Each row: {coordinate} on its way, all other states and inputs as at the start."
+            )),
             (Some(_), Role::State) => Some(format!(
                 "Each row: {coordinate} passed at {rate} = {}, all other states as at the start.",
                 rate.symbol.written(self.scene.mechanism.motion().speed)

@@ -10,6 +10,7 @@ mod column;
 mod curved_trunk;
 mod ellipsograph;
 mod fmu;
+mod hopper;
 mod luffing;
 mod mobile;
 mod portal;

@@ -13,7 +13,7 @@ use lemnis_models::registry::{self, MECHANISMS};
 use lemnis_models::scene::KEYS;
 use toml::{Table, Value};
 
-use crate::{column, curved_trunk, ellipsograph, luffing, mobile, portal, ring, rope, slewing, steering};
+use crate::{column, curved_trunk, ellipsograph, hopper, luffing, mobile, portal, ring, rope, slewing, steering};
 
 /// What a mechanism adds: a legal table, one that lies on an edge, and a result that every level has.
 struct Maker {
@@ -74,6 +74,11 @@ fn maker(mechanism: &str) -> Option<Maker> {
             legal: column::legal,
             edge: column::edge,
             result: column::RESULT,
+        }),
+        "hopper" => Some(Maker {
+            legal: hopper::legal,
+            edge: hopper::edge,
+            result: hopper::RESULT,
         }),
         _ => None,
     }

@@ -78,6 +78,7 @@ fn rearward(own: &Lever<f64>, [from, to]: [f64; 2]) -> Option<Extreme> {
         step: to - from,
         speed: 1.0,
         by_part: false,
+        period: std::f64::consts::TAU,
     };
     let dual = own.map(Calc::constant);
     let foremost = greatest(&motion, &mut |phi| Some(dual.at(phi).ok()?.lever?.psi.sin_cos().1))?;

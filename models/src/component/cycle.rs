@@ -12,13 +12,13 @@ use crate::kernel::variable::{Role, TIME};
 /// Samples of the run.
 const SAMPLES: u32 = 2000;
 
-/// What is looked at, besides the commands: the coordinate with its rate, all states that are angles or lengths, what
+/// What is looked at, besides the commands: the coordinate with its rate, all states that are angles, lengths or masses, what
 /// other parts are designed for, and what a mechanism wants followed.
 fn seen<T: Described>(model: &MovingComponent) -> Vec<usize> {
     let rate = model.standing().index_of(model.standing().rate());
     let all = model.variables().iter().enumerate();
     let shown = all.filter(|(index, variable)| match variable.role {
-        Role::State => Some(*index) == rate || [&unit::RAD, &unit::M].contains(&variable.symbol.unit),
+        Role::State => Some(*index) == rate || [&unit::RAD, &unit::M, &unit::KG].contains(&variable.symbol.unit),
         Role::Output => [T::OUTLINE.forces, T::FOLLOWED].concat().contains(&variable.symbol),
         _ => false,
     });

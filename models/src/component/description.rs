@@ -22,6 +22,7 @@ use crate::kernel::origin::Origins;
 use crate::kernel::schema::{Key, Values};
 use crate::kernel::sign::Sign;
 use crate::kernel::symbol::Symbol;
+use crate::kernel::unit::RAD;
 use crate::kernel::variable::Fault;
 use crate::parts::motion::{Motion, Place};
 
@@ -262,7 +263,7 @@ impl<T: Described> Description<T> {
                 let help = "begin elsewhere, or move what it names";
                 found.push(v.refuse("motion", fault.message, "the motion cannot begin here", help));
             } else if let Some(table) = v.table("motion").filter(|_| described.motion.by_part) {
-                let what = "an input for an angle that moves by itself";
+                let what = "an input for what moves by itself";
                 let help = "remove it: all inputs of a mechanism in motion may be zero";
                 found.push(table.refuse("input", what, "not used", help));
             }
@@ -405,8 +406,11 @@ impl<T: Described> Mechanism for Description<T> {
         named.extend(extremes(&model, T::OUTLINE).map(|(extreme, _)| extreme.symbol.id));
         named.extend(T::searched(self, &model).into_iter().map(|found| found.symbol.id));
         let coordinate = model.variables()[0].symbol;
-        self.motion
-            .place(text, coordinate, "an angle of the working range", &named)
+        let what = match coordinate.unit == &RAD {
+            true => "an angle of the working range",
+            false => "a value of the working range",
+        };
+        self.motion.place(text, coordinate, what, &named)
     }
 
     fn has_chapter(&self, chapter: &str) -> bool {

@@ -1,7 +1,5 @@
 //! Extremes over the working range.
 
-use std::f64::consts::TAU;
-
 use num_dual::Dual64;
 
 use crate::kernel::calc::Calc;
@@ -49,7 +47,7 @@ pub type Looked = [Dual64; GRID + 1];
 
 /// The points; of a range of several turns those of the first, as all turns are like it.
 pub fn grid(motion: &Motion) -> [f64; GRID + 1] {
-    let end = motion.to.min(motion.from + TAU);
+    let end = motion.to.min(motion.from + motion.period);
     let step = (end - motion.from) / GRID as f64;
     std::array::from_fn(|i| match i {
         GRID => end,

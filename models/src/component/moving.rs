@@ -365,6 +365,7 @@ impl Running for MovingComponent {
             *nominal = match unit.name {
                 name if name == unit::PA.name => 1e5,
                 name if name == unit::PER_S.name => 1e2,
+                name if name == unit::KG.name => 1e3,
                 _ => 1.0,
             };
         }

@@ -159,6 +159,8 @@ units! {
     KN_PER_M    = "kN/m"     "kN/m"    [0 1 -2 0]    1e3;
     N_S_PER_M   = "N.s/m"    "N·s/m"   [0 1 -1 0]    1.0;
     KN_S_PER_M  = "kN.s/m"   "kN·s/m"  [0 1 -1 0]    1e3;
+    KG_PER_S    = "kg/s"     "kg/s"    [0 1 -1 0]    1.0;
+    T_PER_H     = "t/h"      "t/h"     [0 1 -1 0]    1e3 / 3600.0;
     L_PER_MIN   = "L/min"    "L/min"   [3 0 -1 0]    1e-3 / 60.0;
     M2_PER_KG   = "m2/kg"    "m²/kg"   [2 -1 0 0]    1.0;
     M2_PER_T    = "m2/t"     "m²/t"    [2 -1 0 0]    1e-3;
@@ -170,6 +172,7 @@ impl Unit {
     pub fn quantity(&self) -> &'static str {
         match self.measured().0 {
             "Torque" if self.name.ends_with('J') => "Energy",
+            "TranslationalDampingConstant" if !self.name.contains('N') => "MassFlowRate",
             name => name,
         }
     }

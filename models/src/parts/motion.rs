@@ -1,6 +1,8 @@
 //! The working range of a mechanism's coordinate, and the run through it that is
 //! the default experiment.
 
+use std::f64::consts::TAU;
+
 use crate::kernel::calc::Calc;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::measure;
@@ -8,6 +10,7 @@ use crate::kernel::number::short;
 use crate::kernel::schema::{Key, SOURCE, Values};
 use crate::kernel::sign::Sign;
 use crate::kernel::symbol::Symbol;
+use crate::kernel::unit::RAD;
 
 /// More rows in a table than anyone reads, and than a step of `1e-9 deg` would make.
 const MOST_ROWS: f64 = 10_000.0;
@@ -21,7 +24,7 @@ pub enum Place {
     At(f64),
 }
 
-/// Working range of the coordinate, in rad and rad/s.
+/// Working range of the coordinate, in SI.
 #[derive(Clone, Copy, Debug)]
 pub struct Motion {
     pub from: f64,
@@ -30,6 +33,8 @@ pub struct Motion {
     pub speed: f64,
     /// Whether the part of the range is the only input for the coordinate.
     pub by_part: bool,
+    /// After which all is as before: a turn of an angle, infinite of what does not turn.
+    pub period: f64,
 }
 
 impl Motion {
@@ -57,22 +62,25 @@ impl Motion {
 
     /// Reads a checked table with `from`, `to`, `step` and `speed`; mistakes go to `found`.
     pub fn read(m: &Values, found: &mut Vec<Diagnostic>) -> Option<Motion> {
+        let (coordinate, _) = m.own().into_iter().find(|(symbol, _)| symbol.id == "from")?;
         let motion = Motion {
             from: m.number("from")?,
             to: m.number("to")?,
             step: m.number("step")?,
             speed: m.number("speed")?,
             by_part: m.text("input").is_some(),
+            period: if coordinate.unit == &RAD { TAU } else { f64::INFINITY },
         };
-        let (from, to) = (degrees(motion.from), degrees(motion.to));
+        let shown = |value| coordinate.written(value);
+        let (from, to) = (shown(motion.from), shown(motion.to));
         if motion.from >= motion.to {
             let message = format!("the working range ends at {to} and starts at {from}");
             found.push(m.refuse("to", message, "not above `from`", "`from` must be smaller than `to`"));
             return None;
         }
         if (motion.to - motion.from) / motion.step > MOST_ROWS {
-            let message = format!("the step {} is too small", degrees(motion.step));
-            let least = degrees((motion.to - motion.from) / MOST_ROWS);
+            let message = format!("the step {} is too small", shown(motion.step));
+            let least = shown((motion.to - motion.from) / MOST_ROWS);
             found.push(m.refuse(
                 "step",
                 message,
@@ -101,15 +109,15 @@ impl Motion {
         }
         let help = format!(
             "{what} such as \"{}\", or one of {}",
-            degrees(f64::midpoint(self.from, self.to)),
+            coordinate.written(f64::midpoint(self.from, self.to)),
             named.join(", ")
         );
         let angle = measure::quantity(text, coordinate, Sign::Any)
             .map_err(|_| (format!("\"{text}\" is no position of this scene"), help.clone()))?;
-        // A rounding of degrees is not a position outside.
+        // A rounding of units is not a position outside.
         let within = angle.clamp(self.from, self.to);
         if (angle - within).abs() > 1e-12 {
-            let (from, to) = (degrees(self.from), degrees(self.to));
+            let (from, to) = (coordinate.written(self.from), coordinate.written(self.to));
             return Err((format!("{text} lies outside the working range {from} to {to}"), help));
         }
         Ok(Place::At(within))

@@ -46,6 +46,7 @@ pub fn lengths((linkage, limits): (&Linkage<f64>, &Limits)) -> [Curve; 2] {
         step: limits.max - limits.min,
         speed: 1.0,
         by_part: false,
+        period: std::f64::consts::TAU,
     };
     let curve = |id, y: &'static Symbol, of: fn(Pose<f64>) -> f64| {
         let extremes = [1.0, -1.0].map(|sign| greatest_value(&range, &mut |at| Some(sign * of(linkage.at_angle(at)))));

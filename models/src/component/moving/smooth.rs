@@ -278,11 +278,14 @@ impl Carrier for SmoothPieces {
         })
     }
 
-    /// Passed at the speed of the working range, all other states as they are.
+    /// Passed at the speed of the working range where that is a state, all other states as they are.
     fn place(&mut self, model: &mut Standing, value: f64) -> Result<(), Fault> {
         self.begin(model);
         let mut states = self.instant(model.part()).y;
-        (states[0], states[1]) = (value, model.motion().speed);
+        states[0] = value;
+        if self.states.get(1).is_some_and(|(source, ..)| *source == model.rate()) {
+            states[1] = model.motion().speed;
+        }
         self.put(model, &states)?;
         decide(model).map(|_| ())
     }
