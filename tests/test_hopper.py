@@ -196,3 +196,22 @@ def test_the_book_has_balance_and_cycle(language, tmp_path):
     # 8 t every 60 s, over 450 t/h; 90 s of that and 8 t less 8 s of it.
     for number in ("480", "1.067", "64", "11.25", "18.25", "5.75"):
         assert (number.replace(".", ",") if language == "bg" else number) in book, number
+
+
+@pytest.mark.parametrize("kind", ["CoSimulation", "ModelExchange"])
+@pytest.mark.parametrize("standard", ENDS)
+def test_contents_that_are_an_input(tmp_path, standard, kind):
+    """Level static, with a grab too slow for the feeder: 8 t each 70 s, where the feeder takes 8.75 t."""
+    changes = {"{told}": "", 'fidelity = "flow" ': 'fidelity = "static" ', 'm_h   = "10 t" ': "", '"60 s"': '"70 s"'}
+    path = written(tmp_path, "Still", changes)[standard]
+    assert not validate_fmu(path)
+    inputs = np.array([(0.0, 0.0), (24.0, 24e3)], dtype=[("time", float), ("m_h", float)])
+    result = simulate_fmu(path, fmi_type=kind, stop_time=24.0, step_size=1.0, output_interval=1.0, input=inputs,
+                          output=["m_h", "G_h", "phi_h", "n_g", "t_run", "t_low", "t_full", "k_q", "m_res"])
+    held = result["m_h"]
+    assert held[-1] > 20e3
+    wanted = {"G_h": held * 9.81, "phi_h": held / 24e3, "n_g": (24e3 - held) / 8e3, "t_run": held / 125.0,
+              "t_low": held / (125.0 - 8e3 / 70.0), "k_q": 64.0 / 70.0, "m_res": 5750.0}
+    for name, value in wanted.items():
+        assert np.allclose(result[name], value, rtol=1e-13, atol=1e-9), name
+    assert np.isinf(result["t_full"]).all()
