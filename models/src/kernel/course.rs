@@ -48,7 +48,7 @@ impl Course {
     }
 
     /// Half of itself, and half of itself half a period (s) later: of a swing of that period the second pulse takes what the
-    /// first one has given. [Singer1990]
+    /// first one has given. [Singer1990, 76–82]
     #[must_use]
     pub fn shaped(self, period: f64) -> Course {
         let late = 0.5 * period;
