@@ -39,7 +39,11 @@ impl Axis {
         // A quantity that stays the same gets an axis around it.
         let (low, high) = match low.abs().max(high.abs()) {
             0.0 => (-1.0, 1.0),
-            size if Axis::is_level(low, high) => (low - 1e-3 * size, high + 1e-3 * size),
+            size if Axis::is_level(low, high) => {
+                // Of a small one as many digits as of a large one.
+                let around = if size < 0.1 { 0.1 } else { 1e-3 } * size;
+                (low - around, high + around)
+            }
             _ => (low, high),
         };
         let span = high - low;
