@@ -10,7 +10,7 @@ use crate::parts::shaping as s;
 symbols! {
     T_SH: "T_sh" "T_\"sh\"" S / S [positive], "Period of a swing against which the command is shaped: its second half comes half of it later.", "input";
     T_R: "T_R" "T_R" S / S [not_negative], "Period of small swings on the rope under a head that moves as commanded.", "derived";
-    RHO_RUN: "rho_run" "rho_\"run\"" ONE / ONE [not_negative], "The same in runs of the model: greatest angle of the rope in the period after the command's end, over that without shaping.", "equations of motion";
+    RHO_RUN: "rho_run" "rho_\"run\"" ONE / ONE [not_negative], "The same in runs of the model: greatest angle of the rope from the vertical in the period after the command's end, over that without shaping.", "equations of motion";
     RHO_SH: "rho_sh" "rho_\"sh\"" ONE / ONE [not_negative], "What the shaped command leaves of the swing: part of that which the command leaves unshaped.", "[Singer1990, 76–82]";
 }
 

@@ -1,9 +1,13 @@
 //! What a shaped command leaves of the swing on other lengths of the rope: in closed form, and in runs of the model.
 
+use nalgebra::Vector2;
+
 use crate::component::moving::MovingComponent;
 use crate::component::running::Running;
 use crate::component::sheet::{Curve, Table};
-use crate::kernel::symbol::listed;
+use crate::kernel::calc::Calc;
+use crate::kernel::symbol::{Symbol, listed};
+use crate::parts::hanging::PLACE;
 use crate::parts::shaping::Shaping;
 use crate::slewing::symbols as s;
 
@@ -35,9 +39,11 @@ pub fn table(
     }
 }
 
-/// Greatest angle of the rope (rad) in the period (s) after the commands have ended.
+/// Greatest angle of the rope from the vertical (rad) in the period (s) after the commands have ended.
 fn swing(mut model: MovingComponent, period: f64) -> Option<f64> {
-    let angle = model.variables().iter().position(|known| known.symbol == &s::CHI_R)?;
+    let place = |symbol: &Symbol| model.variables().iter().position(|known| known.symbol == symbol);
+    let [x, y, z] = PLACE.map(place);
+    let place = [x?, y?, z?];
     let end = model.stop_time();
     model.start().ok()?;
     model.advance(0.0, end).ok()?;
@@ -45,7 +51,9 @@ fn swing(mut model: MovingComponent, period: f64) -> Option<f64> {
     let at = |i: u32| end + period * f64::from(i) / f64::from(INSTANTS);
     for i in 0..INSTANTS {
         model.advance(at(i), at(i + 1)).ok()?;
-        most = most.max(model.get(angle).ok()?.abs());
+        let [x, y, z] = place.map(|index| model.get(index));
+        let aside = Vector2::new(x.ok()?, z.ok()?).norm();
+        most = most.max(Calc::direction(-y.ok()?, aside));
     }
     Some(most)
 }
