@@ -1,6 +1,8 @@
 """Slewing by a commanded speed: the samples of its controller against a recurrence of their own, both standards and both
 interfaces, a time event at every sample, the same bits for every communication step, a saved state on the way."""
 
+import re
+
 import numpy as np
 import pytest
 from fmpy import read_model_description, simulate_fmu
@@ -139,3 +141,20 @@ def test_fmpy_runs_the_ready_scene(speed, standard, kind):
     for i, name in enumerate(names):
         assert np.abs(run[name] - rows[:, i]).max() <= (0.0 if kind == "CoSimulation" else 2e-6), name
     assert abs(rows[-1, 0] - np.radians(-45 + 3 * 17)) <= 5e-3
+
+
+def test_the_book_has_what_runs_leave_of_the_swing(tmp_path):
+    """The rope's greatest angle from the vertical once the command has ended, shaped over plain, by FMPy on both scenes."""
+    text, most = SPEED.read_text(encoding="utf-8"), {}
+    for name, scene in {"shaped": text, "plain": text.replace('shaped = "8.51 s", ', "")}.items():
+        (tmp_path / f"{name}.toml").write_text(scene, encoding="utf-8")
+        lemnis("fmu", tmp_path / f"{name}.toml", "--output", tmp_path / name)
+        run = simulate_fmu(str(tmp_path / name / "SlewingBySpeed.fmu"), stop_time=60.0, output_interval=0.05, record_events=False,
+                           output=["x_Q", "y_Q", "z_Q"])
+        # The shaped command ends half a period later than the plain one.
+        end = 40.0 + 8.51 / 2 if name == "shaped" else 40.0
+        after = (run["time"] >= end) & (run["time"] <= end + 8.511)
+        most[name] = np.arctan2(np.hypot(run["x_Q"], run["z_Q"]), -run["y_Q"])[after].max()
+    lemnis("book", SPEED, "--format", "typ", "--output", tmp_path)
+    [told] = re.findall(r"\[18\.0\],\[8\.511\],\[0\.0002\],\[([\d.]+)\]", (tmp_path / "SlewingBySpeed.typ").read_text(encoding="utf-8"))
+    assert float(told) == pytest.approx(most["shaped"] / most["plain"], abs=1e-3)
