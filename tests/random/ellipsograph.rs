@@ -33,6 +33,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     n.set("a", a.clamp(LEAST_LENGTH, LONGEST));
     n.put("fidelity", level);
     n.keep("dynamics", moves);
+    n.keep("control", false);
     let hoists = n.draw.coin(0.5);
     n.keep("hoisting", rope && hoists);
     let blows = n.draw.coin(0.5);

@@ -12,6 +12,7 @@ use lemnis_models::parts::plane::{Point, cross, length, turned};
 use toml::Table;
 
 use crate::cases::cases;
+use crate::control::{HOIST, LUFFING, SLEWING, controlled, cycle};
 use crate::scene::{Draw, Node};
 
 /// A result that every level has.
@@ -139,6 +140,7 @@ fn parts(n: &mut Node, level: &str, [moves, oil, rope]: [bool; 3]) {
     n.keep("ground", rope && hoists && bears);
     let tabulated = n.draw.coin(0.5);
     n.keep("table", matches!(level, "table" | "auto") && tabulated);
+    n.keep("control", false);
     if moves {
         n.keep("weights", true);
     }
@@ -719,6 +721,7 @@ pub fn dynamics(n: &mut Node, turns: &str, rope: bool, oil: bool) {
             }
         }
     }
+    controls(n, own, oil, lasts);
     let gives = n.child("hoisting").is_some_and(|hoist| hoist.has("c_R"));
     n.keep("ground", gives && n.has("ground"));
     if n.has("ground") {
@@ -728,6 +731,39 @@ pub fn dynamics(n: &mut Node, turns: &str, rope: bool, oil: bool) {
         let table = if n.has("hoisting") { "hoisting" } else { "dynamics" };
         let (long, slews) = (n.child(table).expect("there").get("l_R"), n.has("slewing"));
         air(n, long, slews);
+    }
+}
+
+/// Controllers of luffing with an inertia (kg·m²) unless by oil, of slewing, and of a hoist's motor, for a run of a duration (s).
+fn controls(n: &mut Node, inertia: f64, oil: bool, lasts: f64) {
+    let (length, time, cycle) = (n.draw.scale[0], n.draw.scale[2], cycle(n));
+    let some = n.draw.coin(0.3);
+    n.keep("control", some && !oil);
+    let range = n.child("motion").map_or([0.0; 2], |m| ["from", "to"].map(|name| m.get(name)));
+    if let Some(mut control) = n.child("control") {
+        let speed = (range[1] - range[0]) / lasts * control.draw.between(-1.0, 1.0);
+        controlled(&mut control, &LUFFING, inertia, speed, range, cycle);
+        n.child("dynamics").expect("there").remove(&[LUFFING.moment]);
+    }
+    if let Some(mut turning) = n.child("slewing") {
+        let (inertia, start) = (turning.get("J_sl"), turning.get("psi_sl"));
+        if let Some(mut control) = turning.child("control") {
+            let speed = control.draw.between(-0.5, 0.5) / time;
+            controlled(&mut control, &SLEWING, inertia, speed, [start - 1.0, start + 1.0], cycle);
+            turning.remove(&[SLEWING.moment]);
+        }
+    }
+    if let Some(mut hoist) = n.child("hoisting") {
+        let motor = hoist.has("J_h");
+        let some = hoist.draw.coin(0.3);
+        hoist.keep("control", motor && some);
+        let inertia = hoist.get("J_h") * hoist.get("m_h").max(1.0) / hoist.get("r_h").max(LEAST_LENGTH);
+        let rope = hoist.get("l_R");
+        if let Some(mut control) = hoist.child("control") {
+            let speed = length.min(rope) / lasts.max(time) * control.draw.between(-0.3, 0.3);
+            controlled(&mut control, &HOIST, inertia, speed, [0.9 * rope, 1.1 * rope], cycle);
+            hoist.remove(&[HOIST.moment]);
+        }
     }
 }
 

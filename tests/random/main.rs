@@ -7,6 +7,7 @@
 mod bodies;
 mod cases;
 mod column;
+mod control;
 mod curved_trunk;
 mod ellipsograph;
 mod fmu;

@@ -32,6 +32,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     }
     n.put("fidelity", level);
     n.keep("dynamics", moves);
+    n.keep("control", false);
     let hoists = n.draw.coin(0.5);
     n.keep("hoisting", swings && hoists);
     let blows = n.draw.coin(0.5);

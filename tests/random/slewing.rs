@@ -10,6 +10,7 @@ use lemnis_models::slewing::symbols as s;
 use toml::Table;
 
 use crate::luffing::{air, working_range};
+use crate::control::{SLEWING, controlled, cycle};
 use crate::scene::{Draw, Node};
 
 /// A result that every level has.
@@ -63,7 +64,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
         if !n.has("c_sl") {
             n.remove(&["M_sl"]);
         }
-        controlled(&mut n, inertia);
+        controls(&mut n, inertia);
         let step = n.draw.scale[2] * n.draw.between(0.01, 0.05);
         if let Some(mut dynamics) = n.child("dynamics") {
             dynamics.set("step", step);
@@ -92,29 +93,14 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     table
 }
 
-/// A controller of an inertia (kg·m²) that is stable at its cycle, in the place of the drive's moment.
-fn controlled(n: &mut Node, inertia: f64) {
+/// A controller of an inertia (kg·m²), in the place of the drive's moment.
+fn controls(n: &mut Node, inertia: f64) {
     let most = (MOST_SPIN * n.draw.g / n.get("R").max(1e-9)).sqrt();
+    let (time, cycle, start) = (n.draw.scale[2], cycle(n), n.get("psi_sl"));
     let Some(mut control) = n.child("control") else { return };
-    let time = control.draw.scale[2];
-    let cycle = (time * control.draw.between(0.01, 0.05)).clamp(1e-4, 10.0);
-    // p = K_p T_c/J up to 1, and q = K_i T_c²/J below it.
-    let p = control.draw.between(0.05, 1.0);
-    let q = p * control.draw.between(0.01, 0.5);
     let speed = 0.5 * most.min(1.0 / time) * control.draw.between(-1.0, 1.0);
-    let ramp = speed.abs().max(1e-6) / (time * control.draw.between(0.1, 2.0));
-    let limit = inertia * ramp * control.draw.between(0.5, 5.0);
-    for (name, value) in [
-        ("T_csl", cycle),
-        ("K_psl", p * inertia / cycle),
-        ("K_isl", q * inertia / (cycle * cycle)),
-        ("a_sl", ramp),
-        ("M_maxsl", limit),
-        ("omega_csl", speed),
-    ] {
-        control.set(name, value);
-    }
-    n.remove(&["M_sl"]);
+    controlled(&mut control, &SLEWING, inertia, speed, [start - 1.0, start + 1.0], cycle);
+    n.remove(&[SLEWING.moment]);
 }
 
 /// Next to what cannot be: nothing that slews, a reach of nothing, a start at a stop, a range of no width.

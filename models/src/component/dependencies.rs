@@ -83,7 +83,7 @@ pub fn dependencies(model: &Standing, recorder: Recorder) -> Vec<BTreeSet<Name>>
             }
             match used(source) {
                 Use::Time => found.extend([(TIME.id, None)]),
-                Use::Memory => {}
+                Use::Memory | Use::Latch => {}
                 // Of several bodies each follows from itself.
                 Use::State if number != model.variables()[index].number => {}
                 Use::Coordinate => {
@@ -192,7 +192,7 @@ fn traced(model: &Standing, recorder: Recorder) -> (Vec<BTreeSet<Name>>, Vec<boo
                         Use::Coordinate => named(index, symbol, at),
                         Use::Rate => named(index, symbol, rate),
                         Use::Time => named(sources.len(), &TIME, time),
-                        Use::Memory | Use::Fixed => Rec::constant(value),
+                        Use::Memory | Use::Latch | Use::Fixed => Rec::constant(value),
                         _ => named(index, symbol, value),
                     }
                 };

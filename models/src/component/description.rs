@@ -149,8 +149,13 @@ pub trait Described: Clone + fmt::Debug + Send + Sync + Sized + 'static {
         None
     }
 
-    /// What the run through commands over time adds.
-    fn after_cycle(_this: &Description<Self>, _sheet: &mut Sheet) {}
+    /// Length of the rope on which its load swings at the start (m), and gravity (m/s²).
+    fn rope(_this: &Description<Self>) -> Option<[f64; 2]> {
+        None
+    }
+
+    /// Hangs its load on a rope of another length (m).
+    fn hang(&mut self, _length: f64) {}
 
     /// Chapters of its own.
     fn more(_this: &Description<Self>, _model: &mut Standing, _sheet: &mut Sheet) {}
@@ -260,8 +265,10 @@ impl<T: Described> Description<T> {
             && let Some(moving) = described.moving()
         {
             if let Err(fault) = moving {
+                let named = fault.about.and_then(|symbol| Some((v.holder(symbol)?, symbol.id)));
+                let (table, key) = named.unwrap_or((v, "motion"));
                 let help = "begin elsewhere, or move what it names";
-                found.push(v.refuse("motion", fault.message, "the motion cannot begin here", help));
+                found.push(table.refuse(key, fault.message, "the motion cannot begin so", help));
             } else if let Some(table) = v.table("motion").filter(|_| described.motion.by_part) {
                 let what = "an input for what moves by itself";
                 let help = "remove it: all inputs of a mechanism in motion may be zero";

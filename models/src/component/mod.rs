@@ -25,6 +25,7 @@ pub mod running;
 pub mod scalar;
 pub mod sensitivity;
 pub mod series;
+mod shaped;
 pub mod sheet;
 pub mod spread;
 pub mod stages;

@@ -5,12 +5,14 @@ pub mod bodies;
 pub mod clock;
 mod commands;
 mod following;
+mod sampled;
 pub mod smooth;
 
 use std::any::Any;
 
 pub use crate::component::moving::commands::Ramp;
 use crate::component::moving::commands::{Commands, Followed};
+use crate::component::moving::sampled::Sampled;
 use crate::component::running::{Running, State, Tangent};
 use crate::component::stages::{Slot, Source};
 use crate::component::standing::{Standing, VariablePlace};
@@ -70,6 +72,9 @@ pub trait Carrier: Any + Send {
 
     /// A source has become another, or a state has been set: the variable, or `None` for all states.
     fn changed(&mut self, _: &mut Standing, _: Option<usize>) {}
+
+    /// A sample holds something else.
+    fn latched(&mut self, _: &mut Standing) {}
 
     /// The component was brought to where it was when this was kept.
     fn resume(&mut self, _: &mut Standing) {}
@@ -146,15 +151,19 @@ fn results(standing: &Standing, role: Role) -> impl Iterator<Item = Slot> {
         })
 }
 
-/// The states, each with the variable that it is and with its rate.
-fn states(standing: &Standing) -> Vec<(Source, usize, Slot)> {
+/// The states, as variables and in the component.
+fn sources(standing: &Standing) -> impl Iterator<Item = (Source, usize)> {
     let all = standing.variables().iter().zip(standing.places()).enumerate();
-    let states = all.filter_map(|(index, (variable, place))| match place {
+    all.filter_map(|(index, (variable, place))| match place {
         VariablePlace::Source(source) if variable.role == Role::State => Some((*source, index)),
         _ => None,
-    });
+    })
+}
+
+/// The states, each with the variable that it is and with its rate.
+fn states(standing: &Standing) -> Vec<(Source, usize, Slot)> {
     let rates = results(standing, Role::Rate);
-    states
+    sources(standing)
         .zip(rates)
         .map(|((source, index), slot)| (source, index, slot))
         .collect()
@@ -170,8 +179,12 @@ impl MovingComponent {
         carrier: impl FnOnce(&mut Standing) -> Result<T, Fault>,
     ) -> Result<MovingComponent, Fault> {
         let mut standing = standing.with_states();
+        let mut carrier: Box<dyn Carrier> = Box::new(carrier(&mut standing)?);
+        if standing.part().cycle().is_some() {
+            carrier = Box::new(Sampled::new(carrier, &standing));
+        }
         Ok(MovingComponent {
-            carrier: Box::new(carrier(&mut standing)?),
+            carrier,
             states: states(&standing),
             standing,
             commands: None,

@@ -63,6 +63,8 @@ pub enum Use {
     Time,
     /// What happened before, where results follow from it: saved with the state, no variable.
     Memory,
+    /// The same, of which a sample decides alone.
+    Latch,
 }
 
 impl Use {

@@ -144,7 +144,7 @@ impl Standing {
         let (mut variables, mut places) = (Vec::new(), Vec::new());
         for &(source, quantity) in &sources {
             let role = match used(source) {
-                Use::Fixed | Use::Time | Use::Memory => continue,
+                Use::Fixed | Use::Time | Use::Memory | Use::Latch => continue,
                 Use::Parameter if part.is_input(quantity.0) => Role::Input,
                 Use::Parameter if quantity.0.tunable => Role::Tunable,
                 Use::Parameter => Role::Parameter,
@@ -192,7 +192,7 @@ impl Standing {
                 load: of(Use::Load).next(),
             },
             clock: of(Use::Time).next(),
-            memory: of(Use::Memory).collect(),
+            memory: of(Use::Memory).chain(of(Use::Latch)).collect(),
             sources,
             variables,
             places,

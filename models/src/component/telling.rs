@@ -13,6 +13,7 @@ use crate::component::part::{Face, Part};
 use crate::component::peaks::Peaks;
 use crate::component::running::Running;
 use crate::component::sensitivity::sensitivity;
+use crate::component::shaped;
 use crate::component::sheet::{Check, Comparison, Curve, Input, Section, Sensitivity, Sheet, Summary, Table, Worked};
 use crate::component::stages::{Found, Source, Stage, Use};
 use crate::component::standing::Standing;
@@ -160,7 +161,7 @@ pub fn sheet<T: Described>(told: &Description<T>, origins: &Origins, asked: &[Pl
     if let Some(cycle) = &cycle {
         let commanded = cycle.commands.iter().map(|(symbol, _)| *symbol);
         sheet.uses.push(("cycle", commanded.collect()));
-        T::after_cycle(told, &mut sheet);
+        shaped::tell(told, &mut sheet);
     }
     sheet.cycle = cycle;
     sheet.drop_nothing();

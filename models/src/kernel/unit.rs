@@ -136,6 +136,8 @@ units! {
     MPA         = "MPa"      "MPa"     [-1 1 -2 0]   1e6;
     KG_M2       = "kg.m2"    "kg·m²"   [2 1 0 0]     1.0;
     T_M2        = "t.m2"     "t·m²"    [2 1 0 0]     1e3;
+    N_S         = "N.s"      "N·s"     [1 1 -1 0]    1.0;
+    KN_S        = "kN.s"     "kN·s"    [1 1 -1 0]    1e3;
     N_M_S       = "N.m.s"    "N·m·s"   [2 1 -1 0]    1.0;
     KN_M_S      = "kN.m.s"   "kN·m·s"  [2 1 -1 0]    1e3;
     J_PER_KG    = "J/kg"     "J/kg"    [2 0 -2 0]    1.0;
@@ -205,6 +207,7 @@ impl Unit {
             (d, 0) if d == PER_S2.dimension => ("SpoolAcceleration", [1e-6, 1e12]),
             (d, _) if d == PA_PER_S.dimension => ("PressureRate", [1.0, 1e18]),
             (d, _) if d == KG_M2.dimension => ("MomentOfInertia", [1e-9, 1e18]),
+            (d, _) if d == N_S.dimension => ("Impulse", [1e-6, 1e15]),
             (d, _) if d == N_M_S.dimension => ("RotationalDampingConstant", [1e-6, 1e18]),
             (d, _) if d == M_PER_S2.dimension => ("Acceleration", [1e-3, 1e3]),
             (d, _) if d == J_PER_KG.dimension => ("SpecificEnergy", [1e-9, 1e12]),

@@ -170,21 +170,31 @@ pub struct Terminal {
 
 /// What the model refuses, in words that name the quantity, its value, what is
 /// allowed and what to do.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Fault {
     pub message: String,
     /// Whether another value or a smaller step may do: a value or a configuration
     /// that physics does not allow, where a wrong call is wrong for ever.
     pub outside: bool,
+    /// What a scene would change.
+    pub about: Option<&'static Symbol>,
 }
 
 impl Fault {
+    /// The same of a quantity that a scene would change.
+    #[must_use]
+    pub fn about(mut self, symbol: &'static Symbol) -> Fault {
+        self.about = Some(symbol);
+        self
+    }
+
     /// Something that cannot be done.
     #[cold]
     pub fn new(message: impl Into<String>) -> Fault {
         Fault {
             message: message.into(),
             outside: false,
+            about: None,
         }
     }
 
@@ -200,6 +210,7 @@ impl Fault {
         Fault {
             message: message.into(),
             outside: true,
+            about: None,
         }
     }
 }

@@ -118,3 +118,21 @@ impl SlewingJoint {
         }
     }
 }
+
+/// Refuses the first of some angular velocities (rad/s), each with its table and key, at which nothing would stay on its crane
+/// at a distance from the axis (m, with its place in words) under gravity (m/s²).
+#[must_use]
+pub fn too_fast(speeds: &[(&Values, &str, f64)], (widest, place): (f64, &str), g: f64) -> Option<Diagnostic> {
+    let most = (MOST_SPIN * g / widest).sqrt();
+    let (table, key, speed) = speeds.iter().find(|(.., speed)| speed.abs() > most)?;
+    let what = format!(
+        "{key} = {} is {} times the acceleration of gravity {place}",
+        OMEGA_SL.written(*speed),
+        short(speed * speed * widest / g)
+    );
+    let help = format!(
+        "at most {MOST_SPIN} times it is modelled: give up to {}",
+        OMEGA_SL.written(most)
+    );
+    Some(table.refuse(key, what, "too fast", help))
+}

@@ -7,8 +7,8 @@ use crate::kernel::schema::Values;
 use crate::kernel::symbol::Symbol;
 use crate::parts::hanging::too_short;
 use crate::parts::motion::{Motion, short_step};
-use crate::parts::turntable::{self as joint, MOST_SPIN, SlewingJoint};
-use crate::parts::turntable_control::{CONTROL, OMEGA_C_SL};
+use crate::parts::turntable::{self as joint, SlewingJoint, too_fast};
+use crate::parts::turntable_control::fastest;
 use crate::slewing::symbols as s;
 
 /// Least time in which friction stops what slews, as a part of that which the working range takes, and of that of a pendulum
@@ -133,33 +133,19 @@ impl Slewed<'_> {
 
     /// A speed at which no head, and no weight, would stay on its crane.
     fn spins(&self) -> Option<Diagnostic> {
-        let most = (MOST_SPIN * self.gravity / self.widest()).sqrt();
         let motion = self.table.table("motion")?;
         let mut speeds = vec![
             (self.table, joint::OMEGA_SL.id, self.joint.start[1]),
             (motion, "speed", self.range.speed),
         ];
-        if let Some(control) = self.table.table(CONTROL.name) {
-            let commanded = control.greatest(OMEGA_C_SL.id).unwrap_or(0.0);
-            speeds.push((control, OMEGA_C_SL.id, commanded));
-        }
+        speeds.extend(fastest(self.table));
         let head = self.of(&s::R) == self.widest();
         let place = if head {
             "at the head"
         } else {
             "at the weight that leans"
         };
-        let (table, key, speed) = speeds.into_iter().find(|(.., speed)| speed.abs() > most)?;
-        let what = format!(
-            "{key} = {} is {} times the acceleration of gravity {place}",
-            joint::OMEGA_SL.written(speed),
-            short(speed * speed * self.widest() / self.gravity)
-        );
-        let help = format!(
-            "at most {MOST_SPIN} times it is modelled: give up to {}",
-            joint::OMEGA_SL.written(most)
-        );
-        Some(table.refuse(key, what, "too fast", help))
+        too_fast(&speeds, (self.widest(), place), self.gravity)
     }
 
     /// What slews has next to no inertia beside what it carries.

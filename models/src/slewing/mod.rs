@@ -31,7 +31,6 @@ pub mod air;
 pub mod blows;
 mod bounds;
 pub mod control;
-mod left;
 pub mod motion;
 mod outline;
 pub mod scene;

@@ -11,7 +11,6 @@ pub const OUTLINE: Outline = Outline {
     constants: &[
         ("slewing_inertia", &[Stage("carried"), Stage("total")]),
         ("slewing_regulated", &[Stage("regulated")]),
-        ("slewing_shaping", &[Stage("sway_left")]),
     ],
     sections: &[
         ("slewing_slope", &[Stage("tilt")]),
@@ -43,7 +42,7 @@ pub const OUTLINE: Outline = Outline {
         ("stops", listed!(turntable: PSI_MIN, PSI_MAX)),
         (
             "control",
-            listed!(turntable_control: A_SL, M_MAX_SL, T_C_SL, OMEGA_S_SL),
+            listed!(turntable_control: K_I_SL, A_SL, M_MAX_SL, T_C_SL, OMEGA_S_SL, OMEGA_MAX_SL, K_PSI_SL),
         ),
         ("start", &[&s::PSI_SL]),
         ("hook", &[&s::L_R, &s::PHI_R, &s::CHI_R]),

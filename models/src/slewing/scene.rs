@@ -6,7 +6,7 @@ use crate::component::mechanism::{Entry, Solver};
 use crate::component::moving::MovingComponent;
 use crate::component::moving::smooth::SmoothPieces;
 use crate::component::outline::{Limit, Outline};
-use crate::component::sheet::{Check, Drawing, Input, Sheet};
+use crate::component::sheet::{Check, Drawing, Input};
 use crate::component::standing::Standing;
 use crate::component::telling::{fine, sample};
 use crate::kernel::calc::Calc;
@@ -20,14 +20,14 @@ use crate::kernel::sign::Sign;
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::Fault;
 use crate::parts::air::{self, AIR, AirAround, WindAtLoad, around};
+use crate::parts::control::{Control, Latched, taken};
 use crate::parts::hanging::{self, HangingLoad};
 use crate::parts::motion::Motion;
 use crate::parts::plane::Point;
-use crate::parts::shaping::{self, Shaping};
+use crate::parts::shaping;
 use crate::parts::turntable::{self as joint, SlewingJoint};
-use crate::parts::turntable_control::{self as control, CONTROL, Latched, SlewingControl};
+use crate::parts::turntable_control::{self, AXIS, CONTROL};
 use crate::slewing::bounds::Slewed;
-use crate::slewing::left;
 use crate::slewing::motion::{Past, SlewingDrive, Stops};
 use crate::slewing::outline::OUTLINE;
 use crate::slewing::stages::{Given, Open, SlewingCrane};
@@ -143,30 +143,10 @@ fn in_air(
     Some((around, WindAtLoad { v_air, chi_air }))
 }
 
-/// How the command of the speed is shaped.
-fn shaping(v: &Values) -> Option<Shaping<f64>> {
-    let course = v.table(CONTROL.name)?.course(s::OMEGA_C_SL.id)?;
-    course.shaped.as_ref().map(|(period, _)| Shaping { t_sh: *period })
-}
-
 /// What the scene makes an input.
 fn open(v: &Values) -> Open {
     let both = [&s::R, &s::Q].into_iter();
     Open(both.filter(|symbol| v.is_input(symbol.id)).collect())
-}
-
-/// In motion on a rope of another length (m), its command shaped or not.
-fn on_rope(this: &Description<SlewingScene>, length: f64, shaped: bool) -> Option<MovingComponent> {
-    let mut other = this.clone();
-    if !shaped {
-        other
-            .courses
-            .iter_mut()
-            .for_each(|(_, course)| *course = course.plain());
-    }
-    other.own.given.rope = Some(RopeLength { l_r: length });
-    other.own.given.swung = Some(HangingLoad::resting(length, [0.0, 0.0]).into());
-    other.moving()?.ok()
 }
 
 impl Described for SlewingScene {
@@ -176,8 +156,15 @@ impl Described for SlewingScene {
     const OUTLINE: &'static Outline = &OUTLINE;
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "slewing_symbol",
-        own: &[s::ALL, control::ALL, shaping::ALL],
-        shared: &[joint::ALL, hanging::ALL, air::ALL, gravity::ALL],
+        own: &[s::ALL],
+        shared: &[
+            shaping::ALL,
+            joint::ALL,
+            turntable_control::ALL,
+            hanging::ALL,
+            air::ALL,
+            gravity::ALL,
+        ],
     };
 
     const FOLLOWED: &'static [&'static Symbol] = &[&s::M_SL];
@@ -200,8 +187,10 @@ impl Described for SlewingScene {
         let air = v.table(AIR.name).filter(|_| swings);
         let air = air.and_then(|table| in_air(table, [n(s::L_R.id), gravity], found));
         let (around, blowing) = air.unzip();
-        let (control, commanded) =
-            SlewingControl::read_for(v, joint.turning.j_sl + carried / gravity * n(s::R.id), found).unzip();
+        let inertia = joint.turning.j_sl + carried / gravity * n(s::R.id);
+        let controlled = Control::read(&AXIS, v, v).map_err(|refused| found.push(refused)).ok()?;
+        let (control, commanded) = controlled.unzip();
+        found.extend(control.and_then(|control| control.unstable(v, inertia)));
         let lasts = v
             .course(s::M_SL.id)
             .map_or((range.to - range.from) / range.speed.abs(), Course::end);
@@ -244,8 +233,7 @@ impl Described for SlewingScene {
             slackness: swings.then_some(Slackness { slack: 0.0 }),
             control,
             commanded,
-            latched: control.map(|_| Latched::steady(range.speed)),
-            shaping: shaping(v).filter(|_| swings),
+            latched: control.map(|control| Latched::steady(&control, range.speed)),
             past: Past { way: 1.0, blown: 0.0 },
             stops: Stops(joint.stops),
             open: open(v),
@@ -274,7 +262,6 @@ impl Described for SlewingScene {
     fn set_level(&mut self, level: &str) {
         if level != "swing" {
             (self.given.swung, self.given.rope, self.given.slackness) = (None, None, None);
-            self.given.shaping = None;
             (self.given.around, self.given.blowing) = (None, None);
         }
         if level == "static" {
@@ -344,7 +331,7 @@ impl Described for SlewingScene {
                 vec!["slewing_level_swing", damped, "slewing_hook"]
             }
         };
-        list.extend(this.given.control.map(|_| "slewing_control"));
+        list.extend(taken(this.given.control.iter()));
         list
     }
 
@@ -379,24 +366,16 @@ impl Described for SlewingScene {
         if let Some(latched) = &self.given.latched {
             latched.map(&mut |symbol, value| stands("latched", symbol, value));
         }
-        if let Some(shaping) = &self.given.shaping {
-            stands("latched", &s::T_SH, shaping.t_sh);
-        }
     }
 
-    /// What a shaped command leaves, by the length of the rope.
-    fn after_cycle(this: &Description<SlewingScene>, sheet: &mut Sheet) {
-        let section = sheet
-            .constants
-            .iter_mut()
-            .find(|section| section.id == "slewing_shaping");
-        if let Some((section, shaping)) = section.zip(this.given.shaping) {
-            let rope = [this.given.rope.map_or(0.0, |rope| rope.l_r), this.given.hung.g];
-            section.table = Some(left::table(&shaping, rope, &|length, shaped| {
-                on_rope(this, length, shaped)
-            }));
-            section.curve = Some(left::curve(&shaping, rope));
-        }
+    fn rope(this: &Description<SlewingScene>) -> Option<[f64; 2]> {
+        let Hung { g, .. } = this.given.hung;
+        this.given.rope.map(|rope| [rope.l_r, g])
+    }
+
+    fn hang(&mut self, length: f64) {
+        self.given.rope = Some(RopeLength { l_r: length });
+        self.given.swung = Some(HangingLoad::resting(length, [0.0, 0.0]).into());
     }
 
     /// From above: the ends of the working range (faint) and its middle, with the load's circle.

@@ -6,14 +6,13 @@ use crate::kernel::group::{One, group};
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::Variable;
 use crate::parts::air::{AirAround, Stream, WindAtLoad};
+use crate::parts::control::{Control, Latched};
 use crate::parts::hanging::HangingLoad;
 use crate::parts::joint::{Arrival, Bar};
-use crate::parts::shaping::Shaping;
 use crate::parts::turntable::Turning;
-use crate::parts::turntable_control::{CommandedSpeed, Latched, SlewingControl};
 use crate::slewing::air::{FeltAir, stream};
 use crate::slewing::blows::SwungInstant;
-use crate::slewing::control::{Controlled, Regulated, SwayLeft, acting};
+use crate::slewing::control::{Controlled, Regulated, acting, sampled};
 use crate::slewing::motion::{self, Led, Past, SlewingDrive, SlewingEvents, Stops, Turned, joint, resisting, struck};
 use crate::slewing::swinging::{
     RopeLength, Slackness, Swinging, SwingingLoad, SwingingRates, leaning, led, slackening,
@@ -34,12 +33,11 @@ stages! {
         Parameter rope: Option<RopeLength<C>>,
         Parameter around: Option<AirAround<C>>,
         Input blowing: Option<WindAtLoad<C>>,
-        Parameter control: Option<SlewingControl<C>>,
-        Input commanded: Option<CommandedSpeed<C>>,
+        Parameter control: Option<Control<C>>,
+        Input commanded: Option<One<C>>,
         Memory past: Past<C>,
         Memory slackness: Option<Slackness<C>>,
-        Memory latched: Option<Latched<C>>,
-        Fixed shaping: Option<Shaping<C>>,
+        Latch latched: Option<Latched<C>>,
         Fixed stops: Stops,
         Fixed open: Open,
     } find {
@@ -49,8 +47,7 @@ stages! {
         steady: Steady<C> = Steady::new(turning, tilt[?], omega);
         circling: Circling<C> = Circling::new(carried, hung, total, omega);
         regulated: Regulated<C> = Regulated::new(control[!], turning, swung, total);
-        sway_left: SwayLeft<C> = SwayLeft::new(shaping[!], rope[!], hung);
-        sampled: Latched<C> = SlewingControl::sample(control[!], commanded[!], latched[!], omega) => _;
+        sampled: Latched<C> = sampled(control[!], commanded[!], latched[!], psi, omega) => _;
         controlled: Controlled<C> = Controlled::new(latched[!]);
         drive: SlewingDrive<C> = acting(driven[!], latched) => _;
         leaning: C = leaning(slope[!], swung[!], psi) => M_GAMMA_U;
@@ -116,7 +113,7 @@ impl Component for SlewingCrane {
     }
 
     fn cycle(given: &Given<f64>) -> Option<f64> {
-        given.control.map(|control| control.t_c)
+        given.control.map(|control| control.cycle())
     }
 
     fn latch(known: &mut Known<f64>) -> Found<()> {

@@ -6,7 +6,6 @@ pub use crate::parts::air::{CHI_AIR, F_AIR, P_AIR, V_AIR};
 pub use crate::parts::hanging::{
     ALPHA_0SL, D_V_QX, D_V_QY, D_V_QZ, D_X_Q, D_Y_Q, D_Z_Q, L_R, PHI_R, S_R, V_QX, V_QY, V_QZ, X_Q, Y_Q, Z_Q, Z_ROPE,
 };
-pub use crate::parts::shaping::{RHO_RUN, RHO_SH, T_R, T_SH};
 pub use crate::parts::turntable::{
     CHI_R, D_OMEGA_SL, D_PSI_SL, M_B_SL, M_R_SL, M_SL, OMEGA_SL, PSI_SL, Z_SL_HIGH, Z_SL_LOOSE, Z_SL_LOW, Z_SL_REST,
 };

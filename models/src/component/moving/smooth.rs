@@ -1,9 +1,7 @@
-//! A motion in smooth pieces, each ended by an event at which the component decides what follows, or by a sample.
+//! A motion in smooth pieces, each ended by an event at which the component decides what follows.
 
-use std::any::Any;
 use std::cell::RefCell;
 
-use crate::component::moving::clock::Clock;
 use crate::component::moving::{Carrier, Ramp, results, states};
 use crate::component::part::Part;
 use crate::component::running::Running;
@@ -27,8 +25,6 @@ pub struct SmoothPieces {
     /// Longest step of the solver, in s.
     longest: f64,
     count: Count,
-    /// Of a component that is sampled.
-    clock: Option<Clock>,
 }
 
 /// States, and what happened before.
@@ -127,7 +123,6 @@ impl SmoothPieces {
             memory: memory.map(|source| (*source, model.part().take(*source))).collect(),
             longest,
             count: Count::default(),
-            clock: model.part().cycle().map(|_| Clock::STOPPED),
         };
         assert!(own.states.len().max(own.memory.len()) <= MOST, "no room");
         own.put(model, start)?;
@@ -186,11 +181,6 @@ impl SmoothPieces {
     }
 }
 
-/// The cycle of its samples, in s.
-fn cycle(model: &Standing) -> f64 {
-    model.part().cycle().unwrap_or(f64::INFINITY)
-}
-
 fn decide(model: &mut Standing) -> Result<bool, Fault> {
     model.part_mut().decide().map_err(|fault| *fault)
 }
@@ -201,43 +191,11 @@ impl SmoothPieces {
         for (source, start) in &self.memory {
             model.part_mut().put(*source, *start);
         }
-        self.clock = self.clock.map(|_| Clock::STOPPED);
     }
+}
 
-    /// A sample at the present time where it is due; returns whether it was.
-    fn sample(&mut self, model: &mut Standing) -> Result<bool, Fault> {
-        let (cycle, time) = (cycle(model), model.time());
-        let due = self.clock.filter(|clock| clock.is_due(cycle, time));
-        if let Some(clock) = due {
-            model.part_mut().latch().map_err(|fault| *fault)?;
-            self.clock = Some(clock.sampled(cycle, time));
-        }
-        Ok(due.is_some())
-    }
-
-    /// From sample to sample; what fails leaves it anywhere.
-    fn sampled(&mut self, model: &mut Standing, [from, to]: [f64; 2], ramps: &[Ramp]) -> Result<(), Fault> {
-        let cycle = cycle(model);
-        if (to - from) / cycle > f64::from(MOST_STEPS) {
-            return Err(self.refusal(model, Halt::TooMany, to - from));
-        }
-        let mut time = from;
-        while time < to {
-            model.set_time(time);
-            // An event that was asked for at this time has done both already.
-            if self.sample(model)? {
-                decide(model)?;
-            }
-            let end = self.clock.and_then(|clock| clock.next_before(cycle, to)).unwrap_or(to);
-            let ramps: Vec<Ramp> = ramps.iter().map(|ramp| ramp.after(time - from)).collect();
-            self.piece(model, [time, end], &ramps)?;
-            time = end;
-        }
-        Ok(())
-    }
-
-    /// Between two samples; what fails changes nothing.
-    fn piece(&mut self, model: &mut Standing, [from, to]: [f64; 2], ramps: &[Ramp]) -> Result<(), Fault> {
+impl Carrier for SmoothPieces {
+    fn advance(&mut self, model: &mut Standing, [from, to]: [f64; 2], ramps: &[Ramp]) -> Result<(), Fault> {
         model.update()?;
         let before = self.instant(model.part());
         let mut state = before;
@@ -259,24 +217,6 @@ impl SmoothPieces {
         model.set_time(to);
         Ok(())
     }
-}
-
-impl Carrier for SmoothPieces {
-    fn advance(&mut self, model: &mut Standing, times: [f64; 2], ramps: &[Ramp]) -> Result<(), Fault> {
-        if self.clock.is_none() {
-            return self.piece(model, times, ramps);
-        }
-        let (clock, before) = (self.clock, self.instant(model.part()));
-        self.sampled(model, times, ramps).inspect_err(|_| {
-            self.clock = clock;
-            let states = self.states.iter().map(|(source, ..)| source).zip(before.y);
-            let memory = self.memory.iter().map(|(source, _)| source).zip(before.past);
-            for (source, value) in states.chain(memory) {
-                model.part_mut().put(*source, value);
-            }
-            model.set_time(times[0]);
-        })
-    }
 
     /// Passed at the speed of the working range where that is a state, all other states as they are.
     fn place(&mut self, model: &mut Standing, value: f64) -> Result<(), Fault> {
@@ -291,37 +231,11 @@ impl Carrier for SmoothPieces {
     }
 
     fn start(&mut self, model: &mut Standing) -> Result<(), Fault> {
-        if self.clock.is_some() {
-            self.begin(model);
-            self.sample(model)?;
-        }
         decide(model).map(|_| ())
     }
 
     fn event(&mut self, model: &mut Standing) -> Result<bool, Fault> {
-        self.sample(model)?;
         decide(model)
-    }
-
-    fn next_event(&self, model: &Standing) -> Option<f64> {
-        self.clock.and_then(|clock| clock.next(cycle(model)))
-    }
-
-    fn numbers(&self) -> Vec<f64> {
-        self.clock.iter().map(Clock::number).collect()
-    }
-
-    fn take(&mut self, numbers: &[f64]) -> Option<()> {
-        if let Some(clock) = &mut self.clock {
-            *clock = numbers.first().and_then(|number| Clock::of(*number))?;
-        }
-        Some(())
-    }
-
-    fn follow(&mut self, other: &dyn Carrier) {
-        let other: &dyn Any = other;
-        let other: &SmoothPieces = other.downcast_ref().expect("the same component");
-        self.clock = other.clock;
     }
 
     fn count(&self) -> Count {

@@ -11,6 +11,7 @@ use crate::kernel::sign::Sign;
 use crate::luffing::double_link::moving;
 use crate::luffing::double_link::outline::OUTLINE;
 use crate::luffing::double_link::symbols as s;
+use crate::luffing::moving::control::luffing::CONTROL;
 use crate::luffing::moving::hoisting::HOISTING_KEYS;
 use crate::luffing::moving::scene::{OIL_KEYS, SLEWING_KEYS};
 use crate::luffing::resistances::scene::CASES;
@@ -44,6 +45,7 @@ pub const KEYS: &[Key] = &[
     DRIVE,
     Key::part("synthesis", SYNTHESIS, "What `lemnis synth` finds."),
     Key::part("dynamics", moving::scene::KEYS, "Inertias, friction, drive and rope of a mechanism in motion."),
+    CONTROL,
     HOISTING,
     AIR,
     GROUND,

@@ -8,12 +8,13 @@ use crate::drive::symbols as d;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::luffing::double_link::moving::symbols as m;
 use crate::luffing::double_link::symbols as s;
+use crate::luffing::moving::control::SETTINGS;
 use crate::luffing::resistances::outline::{EXTREMES, LIMITS, SUMMARY, USES};
 use crate::parts::hydraulics::symbols as h;
 use crate::parts::turntable;
 
 /// What given quantities of its own are for that no formula has.
-const OWN_USES: [Purpose; 10] = [
+const OWN_USES: [Purpose; 11] = [
     ("annulus", &[&d::D_R]),
     ("start", &[&m::L_R, &m::PHI_R, &turntable::CHI_R]),
     ("hoist", &[&m::V_H, &m::A_H]),
@@ -24,9 +25,10 @@ const OWN_USES: [Purpose; 10] = [
     ("tank", &[&m::P_TANK]),
     ("friction", listed!(turntable: C_SL, M_F_SL)),
     ("stops", listed!(turntable: PSI_MIN, PSI_MAX)),
+    ("control", SETTINGS),
 ];
 
-/// Of the oil, of the rope and of a load put down, over a cycle of commands.
+/// Of the oil, of the rope, of a load put down and of controlled drives, over a cycle of commands.
 pub const FOLLOWED: &[&Symbol] = &[
     &h::Q_ACA,
     &h::Q_ACB,
@@ -36,11 +38,14 @@ pub const FOLLOWED: &[&Symbol] = &[
     &m::S_R,
     &m::H_G,
     &m::N_G,
+    &m::M_A,
+    &m::M_SL,
+    &m::M_M_H,
 ];
 
 pub const OUTLINE: Outline = Outline {
     inputs: chapters! {
-        geometry "", weights, drive, balance, load "Q", motion, moving "dynamics", hoisting, air, ground, slewing, oil "hydraulics",
+        geometry "", weights, drive, balance, load "Q", motion, moving "dynamics", luffing_control "control", hoisting, hoisting_control "hoisting.control", air, ground, slewing, slewing_control "slewing.control", oil "hydraulics",
         cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_brake "cases.brake", case_second_brake "cases.second_brake",
         case_buckling "cases.buckling", case_teeth "cases.teeth", case_nut "cases.nut", case_pin_sizes "cases.pin_size", limits
     },
@@ -116,7 +121,7 @@ pub const OUTLINE: Outline = Outline {
         ],
         LIMITS,
     ),
-    uses: &joined::<Purpose, 10, 2, 12>(OWN_USES, USES),
+    uses: &joined::<Purpose, 11, 2, 13>(OWN_USES, USES),
     forces: &[
         &s::F_O1X,
         &s::F_O1Y,

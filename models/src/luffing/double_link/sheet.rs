@@ -37,17 +37,18 @@ use crate::luffing::double_link::statics::{Centres, LoadMoment, Own};
 use crate::luffing::double_link::symbols as s;
 use crate::luffing::double_link::system::ByCentres;
 use crate::luffing::double_link::velocity::Velocity;
+use crate::luffing::moving::control;
 use crate::luffing::moving::given::Fitted;
-use crate::luffing::moving::hoisting::load_taken;
 use crate::luffing::moving::told::motion::moved;
 use crate::luffing::moving::told::shown::running;
 use crate::luffing::with_balance::{WithBalance, agreement, searched};
 use crate::luffing::{resistances, strength};
 use crate::parts::motion::Motion;
 use crate::parts::motor;
+use crate::parts::shaping;
 use crate::parts::teeth;
-use crate::parts::turntable;
 use crate::parts::{air, ground, hanging, hydraulics};
+use crate::parts::{turntable, turntable_control};
 
 /// What is told of a plain boom, for which jib and rocker only stand in: its balance, its drive and these.
 const OF_BOOM: [&Symbol; 10] = [
@@ -88,6 +89,10 @@ impl Described for LuffingScene {
             ground::ALL,
             hanging::ALL,
             turntable::ALL,
+            turntable_control::ALL,
+            shaping::ALL,
+            control::luffing::ALL,
+            control::hoist::ALL,
             gravity::ALL,
             hydraulics::symbols::ALL,
         ],
@@ -132,6 +137,9 @@ impl Described for LuffingScene {
             chosen: this.cases.choice.clone(),
             states: None,
             inputs: None,
+            control: None,
+            commanded: None,
+            latched: None,
             inertias: None,
             constants: None,
             ramp: None,
@@ -187,7 +195,8 @@ impl Described for LuffingScene {
         match level {
             "rigid" => {
                 if let Some(moving) = &mut self.moving {
-                    (moving.rope, moving.oil) = (None, None);
+                    moving.leave_rope();
+                    moving.oil = None;
                 }
             }
             "swing" => {
@@ -195,7 +204,11 @@ impl Described for LuffingScene {
                     moving.oil = None;
                 }
             }
-            "hydraulic" => {}
+            "hydraulic" => {
+                if let Some(moving) = &mut self.moving {
+                    moving.controllers = moving.controllers.and_then(|all| all.without(0));
+                }
+            }
             _ => self.moving = None,
         }
     }
@@ -208,10 +221,11 @@ impl Described for LuffingScene {
                 ("air", &[]),
                 ("ground", &[]),
                 ("slewing", &[]),
+                ("control", &[]),
                 ("hydraulics", &[]),
             ],
             "rigid" | "swing" => vec![("hydraulics", &[])],
-            _ => vec![("dynamics", &["M_A", "M_S"])],
+            _ => vec![("dynamics", &["M_A", "M_S"]), ("control", &[])],
         };
         let rope = self.moving.as_ref().is_some_and(|moving| moving.rope.is_some());
         if !(rope && matches!(level, "swing" | "hydraulic")) {
@@ -224,6 +238,16 @@ impl Described for LuffingScene {
             ]);
         }
         unused
+    }
+
+    fn rope(this: &Luffing) -> Option<[f64; 2]> {
+        this.moving.as_ref()?.swings()
+    }
+
+    fn hang(&mut self, length: f64) {
+        if let Some(rope) = self.moving.as_mut().and_then(|moving| moving.rope.as_mut()) {
+            rope.length = length;
+        }
     }
 
     fn solver(&self) -> Option<Solver> {
@@ -349,7 +373,7 @@ impl Described for LuffingScene {
         ]
         .into_iter()
         .flatten()
-        .chain(load_taken(moving.rope.as_ref(), "fixed_load"))
+        .chain(moving.taken("fixed_load"))
         .chain(
             [
                 given(slews, "slewing"),

@@ -38,6 +38,7 @@ use crate::luffing::double_link::resisting::{self, LinkPlaces};
 use crate::luffing::double_link::statics::{LoadMoment, Own, by_pole};
 use crate::luffing::double_link::symbols as g;
 use crate::luffing::double_link::velocity::Velocity;
+use crate::luffing::moving::control::{self, Axes, Controlled};
 use crate::luffing::moving::given::{Constants, CraneStates, CylinderOil, Fitted, Inputs};
 use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::hydraulic::Modes;
@@ -68,6 +69,7 @@ use crate::luffing::strength::strut::{Slender, buckled};
 use crate::luffing::strength::teeth::{Mesh, Toothed};
 use crate::luffing::with_balance::WithBalance;
 use crate::parts::air::AirAround;
+use crate::parts::control::{Control, Latched};
 use crate::parts::four_bar::FourBar;
 use crate::parts::ground::GroundBelow;
 use crate::parts::hydraulics::parts::OilParts;
@@ -101,6 +103,9 @@ stages! {
         Parameter turning: Option<Turning<C>>,
         Parameter oil: Option<CylinderOil<C>>,
         Parameter oil_parts: Option<OilParts<C>>,
+        Parameter control: Option<Axes<Control<C>>>,
+        Input commanded: Option<Axes<One<C>>>,
+        Latch latched: Option<Axes<Latched<C>>>,
         Memory wound: Option<One<C>>,
         Memory past: Option<Modes>,
         Load load: Option<One<C>>,
@@ -187,8 +192,11 @@ stages! {
         ) => _;
         linkage[constants]: Vec<Renewed<HeavyLinkage<C>>> = motion::linkage(parts) => _;
         built[constants]: Vec<Level<C>> = motion::built(parts, linkage) => _;
-        told[constants]: Vec<Level<C>> = stages::told(built, inputs[!]) => _;
-        at: CraneAt<C> = stages::at(theta, omega, states[!], wound, past[!], inputs[!], fitted) => _;
+        sampled: Axes<Latched<C>> = control::sampled(control[!], commanded[!], latched[!], theta, omega, states[!]) => _;
+        controlled: Controlled<C> = Controlled::new(latched[!]);
+        commands: Inputs<C> = control::acting(inputs[!], latched) => _;
+        told[constants]: Vec<Level<C>> = stages::told(built, commands) => _;
+        at: CraneAt<C> = stages::at(theta, omega, states[!], wound, past[!], commands, fitted) => _;
         moves: CraneMoves<C> = stages::moves(built, told, at, theta) => _;
         turning_link: LinkRates<C> = LinkRates::new(moves);
         rates: CraneRates<C> = CraneRates::new(moves, fitted);
@@ -273,6 +281,16 @@ impl Component for DoubleLink {
             && (!of_balance.contains(&symbol) || given.balance.is_some())
             && line::has(given.mount.as_ref(), given.rod.is_some(), given.gear.as_ref(), symbol)
             && (symbol != &b::F_D_0 || given.mount.is_some())
+    }
+
+    fn cycle(given: &Given<f64>) -> Option<f64> {
+        given.control.as_ref().and_then(control::cycle)
+    }
+
+    fn latch(known: &mut Known<f64>) -> Found<()> {
+        let held = *known.sampled()?;
+        *known.latched() = Some(held);
+        Ok(())
     }
 
     fn update(known: &mut Known<f64>) -> Found<()> {

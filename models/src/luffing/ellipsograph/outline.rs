@@ -6,18 +6,20 @@ use crate::component::outline::{Greatest, Limit, Most, Outline, Purpose, chapter
 use crate::drive::outline as o;
 use crate::drive::symbols as d;
 use crate::luffing::ellipsograph::symbols as s;
+use crate::luffing::moving::control::SETTINGS;
 use crate::luffing::moving::symbols as m;
 use crate::luffing::resistances::outline::{EXTREMES, LIMITS, SUMMARY, USES};
 
 /// What given quantities of its own are for that no formula has.
-const OWN_USES: [Purpose; 3] = [
+const OWN_USES: [Purpose; 4] = [
     ("annulus", &[&d::D_R]),
     ("start", &[&m::L_R, &m::PHI_R]),
     ("hoist", &[&m::V_H, &m::A_H]),
+    ("control", SETTINGS),
 ];
 
 pub const OUTLINE: Outline = Outline {
-    inputs: chapters!(geometry "", weights, drive, balance, load "Q", motion, moving "dynamics", hoisting, air, ground,
+    inputs: chapters!(geometry "", weights, drive, balance, load "Q", motion, moving "dynamics", luffing_control "control", hoisting, hoisting_control "hoisting.control", air, ground,
         cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_brake "cases.brake", case_second_brake "cases.second_brake",
         case_buckling "cases.buckling", case_teeth "cases.teeth", case_nut "cases.nut", case_pin_sizes "cases.pin_size", limits),
     constants: &[
@@ -111,7 +113,7 @@ pub const OUTLINE: Outline = Outline {
         ],
         LIMITS,
     ),
-    uses: &joined::<Purpose, 3, 2, 5>(OWN_USES, USES),
+    uses: &joined::<Purpose, 4, 2, 6>(OWN_USES, USES),
     forces: &[
         &s::F_BX,
         &s::F_CX,

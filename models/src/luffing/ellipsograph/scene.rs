@@ -34,8 +34,9 @@ use crate::luffing::ellipsograph::stages::{EllipsographBoom, Given};
 use crate::luffing::ellipsograph::statics::GuidedWeights;
 use crate::luffing::ellipsograph::symbols as s;
 use crate::luffing::moving;
+use crate::luffing::moving::control::luffing::CONTROL;
 use crate::luffing::moving::given::Fitted;
-use crate::luffing::moving::hoisting::{HOISTING_KEYS, load_taken};
+use crate::luffing::moving::hoisting::HOISTING_KEYS;
 use crate::luffing::moving::levels;
 use crate::luffing::moving::scene::{Inert, Moving, brisk, dynamics, turns};
 use crate::luffing::moving::symbols as m;
@@ -50,6 +51,7 @@ use crate::parts::ground::GROUND;
 use crate::parts::motion::{Motion, degrees};
 use crate::parts::motor;
 use crate::parts::plane::Point;
+use crate::parts::shaping;
 use crate::parts::teeth;
 use crate::parts::{air, ground, hanging, hydraulics};
 
@@ -73,6 +75,7 @@ pub const KEYS: &[Key] = &[
         DYNAMICS,
         "Inertias, friction, drive and rope of a boom in motion.",
     ),
+    CONTROL,
     AIR,
     GROUND,
     Key::part("hoisting", HOISTING_KEYS, "Rope and hoist of a load that swings."),
@@ -118,7 +121,7 @@ impl Described for Ellipsograph {
     const ID: &'static str = "ellipsograph";
     const TABLE: &'static str = "luffing";
     const OUTLINE: &'static Outline = &OUTLINE;
-    const FOLLOWED: &'static [&'static Symbol] = listed!(m: S_R, H_G, N_G);
+    const FOLLOWED: &'static [&'static Symbol] = listed!(m: S_R, H_G, N_G, M_A, M_M_H);
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "ellipsograph_symbol",
         own: &[s::ALL],
@@ -127,6 +130,9 @@ impl Described for Ellipsograph {
             drive::symbols::ALL,
             gravity::ALL,
             moving::symbols::ALL,
+            moving::control::luffing::ALL,
+            shaping::ALL,
+            moving::control::hoist::ALL,
             resistances::symbols::ALL,
             motor::ALL,
             teeth::ALL,
@@ -183,6 +189,9 @@ impl Described for Ellipsograph {
             },
             states: None,
             inputs: None,
+            control: None,
+            commanded: None,
+            latched: None,
             constants: None,
             ramp: None,
             motor: None,
@@ -214,6 +223,16 @@ impl Described for Ellipsograph {
     fn check(this: &Description<Ellipsograph>, v: &Values, found: &mut Vec<Diagnostic>) {
         possible(this, v, found);
         told::check::<EllipsographBoom>(&this.standing(), &this.cases, v, found);
+    }
+
+    fn rope(this: &Description<Self>) -> Option<[f64; 2]> {
+        this.moving.as_ref()?.swings()
+    }
+
+    fn hang(&mut self, length: f64) {
+        if let Some(rope) = self.moving.as_mut().and_then(|moving| moving.rope.as_mut()) {
+            rope.length = length;
+        }
     }
 
     fn levels(&self) -> Vec<&'static str> {
@@ -290,7 +309,7 @@ impl Described for Ellipsograph {
         };
         let level = moving.rope.map_or("level_rigid", |_| "level_swing");
         let balance = this.given.balance.map(|_| "counterweight");
-        let load = load_taken(moving.rope.as_ref(), "ellipsograph_load");
+        let load = moving.taken("ellipsograph_load");
         [level, "ellipsograph_masses"]
             .into_iter()
             .chain(balance)

@@ -31,6 +31,7 @@ use crate::luffing::ellipsograph::symbols as g;
 use crate::luffing::ellipsograph::velocity::{GuidedSpeeds, GuidedTravel};
 use crate::luffing::moving::balance_in_motion::BalanceInMotion;
 use crate::luffing::moving::built::HoistParts;
+use crate::luffing::moving::control::{self, Axes, Controlled};
 use crate::luffing::moving::given::{Constants, CraneStates, Fitted, Inputs};
 use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::hydraulic::Modes;
@@ -60,6 +61,7 @@ use crate::luffing::strength::strut::{Slender, buckled};
 use crate::luffing::strength::teeth::{Mesh, Toothed};
 use crate::luffing::with_balance::WithBalance;
 use crate::parts::air::AirAround;
+use crate::parts::control::{Control, Latched};
 use crate::parts::four_bar::FourBar;
 use crate::parts::ground::GroundBelow;
 use crate::parts::plane::Point;
@@ -88,6 +90,9 @@ stages! {
         Parameter give: Option<RopeGive<C>>,
         Parameter around: Option<AirAround<C>>,
         Parameter ground: Option<GroundBelow<C>>,
+        Parameter control: Option<Axes<Control<C>>>,
+        Input commanded: Option<Axes<One<C>>>,
+        Latch latched: Option<Axes<Latched<C>>>,
         Memory wound: Option<One<C>>,
         Memory past: Option<Modes>,
         Load load: Option<One<C>>,
@@ -171,8 +176,11 @@ stages! {
         ) => _;
         boom[constants]: Vec<Renewed<Heavy<Guided, C>>> = single::heavy(parts) => _;
         built[constants]: Vec<Level<C>> = single::built(parts, boom) => _;
-        told[constants]: Vec<Level<C>> = stages::told(built, inputs[!]) => _;
-        at: CraneAt<C> = stages::at(phi, omega, states[!], wound, past[!], inputs[!], fitted) => _;
+        sampled: Axes<Latched<C>> = control::sampled(control[!], commanded[!], latched[!], phi, omega, states[!]) => _;
+        controlled: Controlled<C> = Controlled::new(latched[!]);
+        commands: Inputs<C> = control::acting(inputs[!], latched) => _;
+        told[constants]: Vec<Level<C>> = stages::told(built, commands) => _;
+        at: CraneAt<C> = stages::at(phi, omega, states[!], wound, past[!], commands, fitted) => _;
         moves: CraneMoves<C> = stages::moves(built, told, at, phi) => _;
         turning: BoomRates<Guided, C> = BoomRates::new(moves);
         rates: CraneRates<C> = CraneRates::new(moves, fitted);
@@ -244,6 +252,16 @@ impl Component for EllipsographBoom {
             && line::has(given.mount.as_ref(), given.rod.is_some(), given.gear.as_ref(), symbol)
             && given.balance.as_ref().is_none_or(|form| form.has(symbol))
             && fittings(given).is_none_or(|crane| crane.has(symbol))
+    }
+
+    fn cycle(given: &Given<f64>) -> Option<f64> {
+        given.control.as_ref().and_then(control::cycle)
+    }
+
+    fn latch(known: &mut Known<f64>) -> Found<()> {
+        let held = *known.sampled()?;
+        *known.latched() = Some(held);
+        Ok(())
     }
 
     fn update(known: &mut Known<f64>) -> Found<()> {

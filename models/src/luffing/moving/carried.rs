@@ -10,6 +10,7 @@ use crate::kernel::group::Group;
 use crate::kernel::number::short;
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::{Fault, Role};
+use crate::luffing::moving::control::holding;
 use crate::luffing::moving::crane::REELED_IN;
 use crate::luffing::moving::given::{CraneStates, Inputs, L_R, S_Q, STATES, V_R, order};
 use crate::luffing::moving::level::{Ahead, CraneAt, Onward};
@@ -148,6 +149,17 @@ fn lift<T: Luffs>(model: &mut Standing) {
     }
 }
 
+/// Controllers hold their axes at rest where the crane is.
+pub(super) fn hold<T: Luffs>(model: &mut Standing) -> Result<(), Fault> {
+    let now = given::<T>(model).sources;
+    if let Some((control, held)) = now.control.zip(now.latched) {
+        let (level, at) = T::in_motion(known::<T>(model)).map_err(|fault| *fault)?;
+        let held = holding(level, &at, &now.fitted, &control, &held)?;
+        T::put_held(known::<T>(model), held);
+    }
+    Ok(())
+}
+
 impl<T: Luffs> CarriedCrane<T> {
     fn decide(&mut self, model: &mut Standing) -> Result<bool, Fault> {
         let (level, mut at) = T::in_motion(known::<T>(model)).map_err(|fault| *fault)?;
@@ -164,9 +176,11 @@ impl<T: Luffs> Carrier for CarriedCrane<T> {
     fn advance(&mut self, model: &mut Standing, [from, to]: [f64; 2], ramps: &[Ramp]) -> Result<(), Fault> {
         let now = given::<T>(model);
         enough_rope(&now, to - from)?;
-        let slopes = (!ramps.is_empty()).then(|| {
+        // Commands of controllers are of no account from one sample to the next.
+        let acts = |ramp: &&Ramp| T::GROUPS[usize::from(ramp.source.group)].0 == "inputs";
+        let slopes = ramps.iter().any(|ramp| acts(&ramp)).then(|| {
             let mut slopes = Inputs::none();
-            for ramp in ramps {
+            for ramp in ramps.iter().filter(acts) {
                 slopes.put(usize::from(ramp.source.place), ramp.slope);
             }
             slopes
@@ -210,6 +224,7 @@ impl<T: Luffs> Carrier for CarriedCrane<T> {
             put::<T>(model, &at);
             self.ahead.restart(&at.y);
         }
+        hold::<T>(model)?;
         self.update(model)
     }
 
@@ -254,6 +269,10 @@ impl<T: Luffs> Carrier for CarriedCrane<T> {
             T::put_past(known::<T>(model), states, past);
         }
         self.ahead.restart(&at::<T>(model).y);
+    }
+
+    fn latched(&mut self, _: &mut Standing) {
+        self.ahead.interrupt();
     }
 
     fn step_size(&self, model: &Standing) -> f64 {

@@ -56,6 +56,14 @@ impl<P: Copy> Inputs<P> {
         }
     }
 
+    /// The drive of luffing (0), of slewing (1), of the hoist (2).
+    pub fn drive(&mut self, axis: usize) -> &mut JointDrive<P> {
+        match axis {
+            2 => &mut self.hoist.drive,
+            _ => &mut self.drives[axis],
+        }
+    }
+
     fn numbers(&self) -> [P; INPUTS.len()] {
         let ([luffing, slewing], hoist) = (self.drives, self.hoist);
         let drum = hoist.drive;
@@ -125,7 +133,10 @@ pub const STATES: [&Symbol; 20] = *listed!(
     s: P_1, P_2, P_A, P_B, X_V, V_V, PSI_SL, OMEGA_SL, X_Q, Y_Q, Z_Q, V_QX, V_QY, V_QZ, PHI_R, OMEGA_R, L_R, S_Q, V_Q, V_R
 );
 
-/// Places of the rope's length, of the load's distance, and of the rate at which the rope is paid out.
+/// Places of slewing's angle and rate, of the rope's length, of the load's distance, and of the rate at which the rope is paid
+/// out.
+pub const PSI_SL: usize = 6;
+pub const OMEGA_SL: usize = 7;
 pub const L_R: usize = 16;
 pub const S_Q: usize = 17;
 pub const V_R: usize = 19;

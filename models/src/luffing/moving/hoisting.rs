@@ -5,6 +5,7 @@ use crate::kernel::group::quantities;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Values};
 use crate::kernel::symbol::Symbol;
+use crate::luffing::moving::control::hoist;
 use crate::luffing::moving::symbols as s;
 use crate::parts::air::{AIR, AirAround, around};
 use crate::parts::ground::{GROUND, GroundBelow, below};
@@ -13,7 +14,7 @@ use crate::parts::ground::{GROUND, GroundBelow, below};
 pub static HOISTING_KEYS: &[Key] = keys! { s:
     L_R > 0, PHI_R [optional], C_R > 0 [optional], D_R >= 0 [optional], V_H [in_steps, optional], A_H > 0 [optional],
     J_H > 0 [optional], R_H > 0 [optional], M_H > 0 [optional], M_F_H >= 0 [optional], M_M_H [over_time, optional],
-    M_B_H >= 0 [over_time, optional]
+    M_B_H >= 0 [over_time, optional]; hoist::CONTROL
 };
 
 /// The same of a hoist whose speed is commanded.
@@ -62,7 +63,7 @@ pub struct LoadRope {
 }
 
 /// Ids of what the model takes for granted of load, rope and hoist; `fixed` where there is no rope.
-pub fn load_taken(rope: Option<&LoadRope>, fixed: &'static str) -> impl Iterator<Item = &'static str> {
+pub(super) fn load_taken(rope: Option<&LoadRope>, fixed: &'static str) -> impl Iterator<Item = &'static str> {
     let elastic = rope.is_some_and(|rope| rope.give.is_some());
     let load = match rope {
         Some(_) if elastic => "elastic_rope",

@@ -22,7 +22,7 @@ pub fn levels(moving: Option<&Moving>) -> Vec<&'static str> {
 pub fn set_level(moving: &mut Option<Moving>, level: &str) -> bool {
     match (level, &mut *moving) {
         ("swing", _) => {}
-        ("rigid", Some(moving)) => moving.rope = None,
+        ("rigid", Some(moving)) => moving.leave_rope(),
         _ => *moving = None,
     }
     moving.is_some()
@@ -39,7 +39,13 @@ pub fn unused(level: &str) -> Vec<(&'static str, &'static [&'static str])> {
             ("ground", &[]),
             ("dynamics", &["l_R", "phi_R", "v_h", "a_h"]),
         ],
-        _ => vec![("dynamics", &[]), ("hoisting", &[]), ("air", &[]), ("ground", &[])],
+        _ => vec![
+            ("dynamics", &[]),
+            ("control", &[]),
+            ("hoisting", &[]),
+            ("air", &[]),
+            ("ground", &[]),
+        ],
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::{Role, Variable};
+use crate::luffing::moving::control::HELD;
 use crate::luffing::moving::given::{INPUTS, STATES};
 use crate::luffing::moving::luffs::MotionSources;
 use crate::luffing::moving::stages::{INDICATORS, RATES};
@@ -27,6 +28,8 @@ pub struct Fittings {
     pub anti_cavitation: bool,
     pub load_holding: bool,
     pub pump: bool,
+    /// Of luffing, slewing and hoist.
+    pub controlled: [bool; 3],
 }
 
 fn place(list: &[&'static Symbol], symbol: &'static Symbol) -> Option<usize> {
@@ -48,21 +51,27 @@ impl Fittings {
             anti_cavitation: sources.oil_parts.is_some_and(|parts| parts.anti_cavitation.is_some()),
             load_holding: sources.oil_parts.is_some_and(|parts| parts.load_holding.is_some()),
             pump: sources.oil_parts.is_some_and(|parts| parts.pump.is_some()),
+            controlled: sources
+                .control
+                .map_or([false; 3], |control| control.0.map(|axis| axis.is_some())),
         })
     }
 
     /// Whether it has a state or an input.
     #[must_use]
     pub fn gives(self, symbol: &'static Symbol) -> bool {
+        if let Some(held) = place(&HELD, symbol).filter(|held| held % 3 == 0) {
+            return self.drives(held / 3) && !self.controlled[held / 3];
+        }
         match (place(&STATES, symbol), place(&INPUTS, symbol)) {
             (Some(0..6), _) | (_, Some(2 | 3)) => self.oil,
-            (Some(6 | 7), _) | (_, Some(7 | 8)) => self.slews,
+            (Some(6 | 7), _) | (_, Some(8)) => self.slews,
             (Some(8..14), _) => self.slews && self.rope,
             (Some(16), _) => self.rope,
             (Some(19), _) => self.ramp || self.motor,
             (Some(_), _) => self.rope && !self.slews,
-            (_, Some(0 | 1)) => !self.oil,
-            (_, Some(4 | 5)) => self.motor,
+            (_, Some(1)) => !self.oil,
+            (_, Some(5)) => self.motor,
             (_, Some(6)) => self.rope && !self.motor,
             (_, Some(9)) => self.air,
             (_, Some(10)) => self.air && self.slews,
@@ -71,9 +80,17 @@ impl Fittings {
         }
     }
 
+    /// Whether a motor moves luffing (0), slewing (1) or the hoist (2).
+    fn drives(self, axis: usize) -> bool {
+        [!self.oil, self.slews, self.motor][axis]
+    }
+
     /// Whether it has a result.
     #[must_use]
     pub fn has(self, symbol: &'static Symbol) -> bool {
+        if let Some(held) = place(&HELD, symbol) {
+            return self.controlled[held / 3];
+        }
         let of = |list: &[&Symbol]| list.contains(&symbol);
         match (place(&RATES, symbol), place(&INDICATORS, symbol)) {
             (Some(rate), _) => self.gives(STATES[rate]),
@@ -118,7 +135,7 @@ impl Said {
     pub fn list(&self, variable: &mut Variable) -> u8 {
         let symbol = variable.symbol;
         let [driving, rates] = self.bar;
-        variable.at_events = symbol == &s::V_H;
+        variable.at_events = symbol == &s::V_H || (HELD.contains(&symbol) && variable.role != Role::Input);
         if variable.role == Role::Indicator {
             return 3;
         }

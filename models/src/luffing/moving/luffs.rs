@@ -4,11 +4,13 @@ use crate::component::part::Component;
 use crate::component::stages::Found;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
+use crate::luffing::moving::control::Axes;
 use crate::luffing::moving::given::{Constants, CraneStates, CylinderOil, Fitted, Inputs, Slack};
 use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::hydraulic::Modes;
 use crate::luffing::moving::level::{CraneAt, Level};
 use crate::parts::air::AirAround;
+use crate::parts::control::{Control, Latched};
 use crate::parts::ground::GroundBelow;
 use crate::parts::hydraulics::parts::OilParts;
 use crate::parts::motion::Motion;
@@ -28,6 +30,9 @@ pub struct MotionSources<C: Calc = f64> {
     pub turning: Option<Turning<C>>,
     pub oil: Option<CylinderOil<C>>,
     pub oil_parts: Option<OilParts<C>>,
+    pub control: Option<Axes<Control<C>>>,
+    pub commanded: Option<Axes<One<C>>>,
+    pub latched: Option<Axes<Latched<C>>>,
     pub wound: Option<One<C>>,
     pub past: Option<Modes>,
     /// Of a rope that drives luffing.
@@ -48,6 +53,9 @@ impl MotionSources {
         turning: None,
         oil: None,
         oil_parts: None,
+        control: None,
+        commanded: None,
+        latched: None,
         wound: None,
         past: None,
         slack: None,
@@ -95,6 +103,9 @@ pub trait Luffs: Component {
     /// Puts angle and angular velocity of the driven bar, the other states, and what happened before.
     fn put_now(known: &mut Self::Known<f64>, at: [f64; 2], states: CraneStates<f64>, past: Modes);
 
+    /// Puts what controllers hold.
+    fn put_held(known: &mut Self::Known<f64>, held: Axes<Latched>);
+
     /// Puts states and what happened before, the driven bar as it is.
     fn put_past(known: &mut Self::Known<f64>, states: CraneStates<f64>, past: Modes);
 }
@@ -124,6 +135,9 @@ macro_rules! luffs {
                         give: given.give,
                         around: given.around,
                         ground: given.ground,
+                        control: given.control,
+                        commanded: given.commanded,
+                        latched: given.latched,
                         wound: given.wound,
                         past: given.past,
                         fitted: given.fitted,
@@ -147,6 +161,9 @@ macro_rules! luffs {
                     give,
                     around,
                     ground,
+                    control,
+                    commanded,
+                    latched,
                     wound,
                     past,
                     fitted,
@@ -164,6 +181,9 @@ macro_rules! luffs {
                     give,
                     around,
                     ground,
+                    control,
+                    commanded,
+                    latched,
                     wound,
                     past,
                     fitted,
@@ -198,6 +218,13 @@ macro_rules! luffs {
                 if let Some(rate) = wound {
                     *known.wound() = Some(One(rate.0, states.0[$crate::luffing::moving::given::V_R]));
                 }
+            }
+
+            fn put_held(
+                known: &mut Known<f64>,
+                held: $crate::luffing::moving::control::Axes<$crate::parts::control::Latched>,
+            ) {
+                *known.latched() = Some(held);
             }
 
             fn put_past(

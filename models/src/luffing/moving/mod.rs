@@ -7,6 +7,7 @@
 //! | `dynamics`, `pendulum`, `blown` | the mechanism with what hangs on it; with its load as a pendulum, between events; that in the air |
 //! | `crane`, `driven`, `motion`, `space`, `hanging` | joints that stick, stops, a rope that goes slack; load in the plane and in space |
 //! | `grounded` | a load on the ground |
+//! | `control` | controllers of luffing, slewing and hoist |
 //! | `pulled` | a crane that a rope luffs, which may go slack |
 //! | `hydraulic` | the same moved by a cylinder |
 //! | `weighed` | the counterweight of a balance with its derivatives |
@@ -24,6 +25,7 @@ mod blown;
 pub mod bodies;
 pub mod built;
 pub(crate) mod carried;
+pub mod control;
 pub mod crane;
 mod driven;
 pub mod dynamics;

@@ -7,10 +7,12 @@ use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Values};
 use crate::kernel::symbol::Symbol;
+use crate::luffing::moving::control::Controllers;
 use crate::luffing::moving::given::{Constants, CylinderOil, Inputs};
-use crate::luffing::moving::hoisting::{HoistKind, LoadRope, hoisting, load_rope, surround};
+use crate::luffing::moving::hoisting::{HoistKind, LoadRope, hoisting, load_rope, load_taken, surround};
 use crate::luffing::moving::symbols as s;
 use crate::parts::air::AIR;
+use crate::parts::control::TABLE;
 use crate::parts::ground::GROUND;
 use crate::parts::hanging::too_short;
 use crate::parts::hoist::HoistCommand;
@@ -18,7 +20,8 @@ use crate::parts::hydraulics::parts::OilParts;
 use crate::parts::hydraulics::valve::supersonic;
 use crate::parts::joint::JointDrive;
 use crate::parts::motion::{Motion, short_step};
-use crate::parts::turntable::SlewingJoint;
+use crate::parts::turntable::{SlewingJoint, too_fast};
+use crate::parts::turntable_control;
 
 /// Keys of `[luffing.dynamics]` beside the inertias of a mechanism's bodies.
 const DYNAMICS: &[Key] = keys! { s:
@@ -46,7 +49,7 @@ pub const fn dynamics<const N: usize>(bodies: &[Key]) -> [Key; N] {
 /// Keys of `[luffing.slewing]`.
 pub static SLEWING_KEYS: &[Key] = keys! { s:
     J_SL >= 0, C_SL >= 0 [optional], M_F_SL >= 0 [optional], M_SL [over_time, optional], M_B_SL >= 0 [over_time, optional],
-    PSI_SL [optional], OMEGA_SL [optional], PSI_MIN [optional], PSI_MAX [optional], CHI_R [optional]
+    PSI_SL [optional], OMEGA_SL [optional], PSI_MIN [optional], PSI_MAX [optional], CHI_R [optional]; turntable_control::CONTROL
 };
 
 /// Keys of `[luffing.hydraulics]`.
@@ -99,6 +102,8 @@ pub struct Moving {
     pub oil_parts: Option<OilParts>,
     /// Where the crane slews.
     pub slewing: Option<SlewingStart>,
+    /// Of drives that follow a speed, or go to a place.
+    pub controllers: Option<Controllers>,
     /// In which drives come up to their speed in the book's manoeuvres, in s.
     pub ramp: f64,
 }
@@ -108,6 +113,24 @@ impl Moving {
     #[must_use]
     pub fn hoists(&self) -> bool {
         self.has_motor() || self.strongest.hoist.speed != 0.0
+    }
+
+    /// Length of the load's rope at the start (m), and gravity (m/s²), where it has one.
+    #[must_use]
+    pub fn swings(&self) -> Option<[f64; 2]> {
+        self.rope.map(|rope| [rope.length, self.constants.g])
+    }
+
+    /// Ids of what the model takes for granted of load, rope, hoist and controllers; `fixed` where there is no rope.
+    pub fn taken(&self, fixed: &'static str) -> impl Iterator<Item = &'static str> {
+        let controls = self.controllers.iter().flat_map(Controllers::taken);
+        load_taken(self.rope.as_ref(), fixed).chain(controls)
+    }
+
+    /// With its load fixed to the head.
+    pub fn leave_rope(&mut self) {
+        self.rope = None;
+        self.controllers = self.controllers.and_then(|all| all.without(2));
     }
 
     /// Whether a motor turns the hoist's drum.
@@ -145,7 +168,17 @@ impl Moving {
             Some(table) => Some(slewing(v, table, rope.is_some(), found)?),
             None => None,
         };
-        let quickest = quickest(v, table, hoisting, bodies.bar, gravity);
+        let hoist = rope
+            .filter(|rope| matches!(rope.hoist, HoistKind::Motor(_)))
+            .map(|_| [hoisting; 2]);
+        let controllers = Controllers::read([Some([v, table]), v.table("slewing").map(|table| [table; 2]), hoist]);
+        let controllers = controllers.map_err(|refused| found.push(refused)).ok()?;
+        found.extend(no_motor(hoisting, hoist.is_some()));
+        let mut strongest = inputs(v, [table, hoisting], Values::greatest);
+        if let Some(controllers) = &controllers {
+            controllers.limit(&mut strongest);
+        }
+        let quickest = quickest(v, table, hoisting, (bodies.bar, &strongest), gravity);
         let longest = (quickest * STEP_PART).max(STEP);
         let least = (longest * SHORTEST_STEP[0]).min(quickest * SHORTEST_STEP[1]);
         found.extend(short_step(table, &s::STEP, [least, longest]));
@@ -161,7 +194,8 @@ impl Moving {
                 step: n(&s::STEP).unwrap_or(longest),
             },
             inputs: inputs(v, [table, hoisting], Values::number),
-            strongest: inputs(v, [table, hoisting], Values::greatest),
+            strongest,
+            controllers,
             rope,
         })
     }
@@ -217,14 +251,20 @@ const SHORTEST_STEP: [f64; 2] = [0.05, 1.25e-3];
 
 /// The least time (s) in which something happens: what swings as bar and rope are long, what friction, drives and a rope
 /// that gives way do with the inertia of the driven bar alone, of what slews, of the load and of the hoist's drum.
-fn quickest(v: &Values, dynamics: &Values, hoisting: &Values, [bar, inertia]: [&Symbol; 2], gravity: f64) -> f64 {
+fn quickest(
+    v: &Values,
+    dynamics: &Values,
+    hoisting: &Values,
+    ([bar, inertia], strongest): ([&Symbol; 2], &Inputs),
+    gravity: f64,
+) -> f64 {
     let of = |table: &Values, symbol: &Symbol| table.greatest(symbol.id).unwrap_or(0.0);
     let (bar, inertia) = (of(v, bar), of(dynamics, inertia));
     let rope = hoisting.number(s::L_R.id).unwrap_or(f64::INFINITY);
     let mut times = vec![
         (bar.min(rope) / gravity).sqrt(),
         inertia / of(dynamics, &s::C_V),
-        (inertia / of(dynamics, &s::M_A).abs()).sqrt(),
+        (inertia / strongest.drives[0].moment.abs()).sqrt(),
     ];
     let drum = of(hoisting, &s::J_H) / of(hoisting, &s::R_H).powi(2);
     for mass in [v.number("Q").unwrap_or(0.0) / gravity, drum] {
@@ -234,7 +274,7 @@ fn quickest(v: &Values, dynamics: &Values, hoisting: &Values, [bar, inertia]: [&
     if let Some(table) = v.table("slewing") {
         let inertia = of(table, &s::J_SL);
         times.push(inertia / of(table, &s::C_SL));
-        times.push((inertia / of(table, &s::M_SL).abs()).sqrt());
+        times.push((inertia / strongest.drives[1].moment.abs()).sqrt());
     }
     // What does not act, on what has no inertia, has no time.
     times.into_iter().fold(f64::INFINITY, f64::min)
@@ -267,6 +307,10 @@ pub fn outlasts(v: &Values, moving: &Moving, motion: &Motion, [reach, mass]: [f6
     let Some((table, slewing)) = v.table("slewing").zip(moving.slewing) else {
         return;
     };
+    if moving.controllers.is_some_and(|it| it.control.0[1].is_some()) {
+        let speeds = turntable_control::fastest(table);
+        return found.extend(too_fast(&speeds, (reach, "at the head"), moving.constants.g));
+    }
     let told = table.course(s::M_SL.id).map(Course::end);
     let lasts = told.unwrap_or((motion.to - motion.from) / motion.speed.abs());
     let moment = moving.strongest.drives[1].moment;
@@ -282,6 +326,7 @@ fn table<'a>(v: &'a Values, fidelity: &str, bodies: &Inert) -> Result<Option<&'a
                 ("slewing", "slewing"),
                 ("hoisting", "rope and hoist"),
                 ("hydraulics", "oil"),
+                (TABLE, "a controller"),
                 (GROUND.name, "ground"),
             ];
             return match parts.into_iter().find(|(part, _)| v.has(part)) {
@@ -366,8 +411,27 @@ fn oil_drive(v: &Values, fidelity: &str, found: &mut Vec<Diagnostic>) -> Option<
     }
 }
 
-/// A motor or a brake beside the cylinder that moves the driven bar.
+/// A controller of a hoist without a motor.
+fn no_motor(hoisting: &Values, motor: bool) -> Option<Diagnostic> {
+    let what = "a controller of a hoist that has no motor";
+    let help = "command its speed by v_h, or give J_h and r_h of its drum";
+    let refused = hoisting
+        .table(TABLE)
+        .map(|_| hoisting.refuse(TABLE, what, "nothing to control", help));
+    refused.filter(|_| !motor)
+}
+
+/// A motor or a brake beside the cylinder that moves the driven bar, or its controller.
 fn motor_beside(v: &Values) -> Option<Diagnostic> {
+    if v.has(TABLE) {
+        let what = "a controller of luffing beside a cylinder";
+        return Some(v.refuse(
+            TABLE,
+            what,
+            "not used",
+            "remove it; at this level u_v and p_P command the cylinder",
+        ));
+    }
     let dynamics = v.table("dynamics")?;
     let motor = [&s::M_A, &s::M_S].into_iter().find(|symbol| dynamics.has(symbol.id))?;
     let what = format!("{} beside a cylinder: two drives on one bar", motor.id);

@@ -10,7 +10,7 @@ use crate::component::standing::Standing;
 use crate::kernel::group::One;
 use crate::kernel::variable::Fault;
 use crate::luffing::moving::blown::directions;
-use crate::luffing::moving::carried::{CarriedCrane, at, known, put};
+use crate::luffing::moving::carried::{CarriedCrane, at, hold, known, put};
 use crate::luffing::moving::dynamics::Coordinate;
 use crate::luffing::moving::given::{CraneStates, Fitted, MOST_STATES, STATES, Slack};
 use crate::luffing::moving::hoisting::HoistKind;
@@ -147,7 +147,8 @@ fn above(level: &Level, theta: f64, ground: f64) -> Result<f64, Fault> {
         m::Y_G.id,
         m::Y_G.written(ground),
         m::Y_G.written(head)
-    )))
+    ))
+    .about(&m::Y_G))
 }
 
 /// What the scene gives of its motion, at rest.
@@ -178,6 +179,12 @@ fn sources(moving: &Moving) -> MotionSources {
         turning: slewing.map(|turn| turn.joint.turning),
         oil,
         oil_parts,
+        control: moving.controllers.map(|it| it.control),
+        commanded: moving.controllers.map(|it| it.commanded),
+        latched: moving.controllers.map(|it| {
+            let turns = slewing.map_or(0.0, |turn| turn.joint.start[1]);
+            it.at_start([0.0, turns, 0.0])
+        }),
         wound: moving.winds_at_once().then_some(One(&m::V_H, 0.0)),
         past: Some(Modes::AT_REST),
         slack: Some(Slack(None)),
@@ -236,6 +243,7 @@ pub fn starting<T: Luffs>(
             of: PhantomData,
         };
         put::<T>(model, &now);
+        hold::<T>(model)?;
         own.update(model)?;
         Ok(own)
     })

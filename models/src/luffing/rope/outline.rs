@@ -4,15 +4,20 @@ use crate::balance::symbols as b;
 use crate::component::outline::Explained::Stage;
 use crate::component::outline::{Greatest, Limit, Most, Outline, Purpose, chapters, joined};
 use crate::kernel::symbol::listed;
+use crate::luffing::moving::control::SETTINGS;
 use crate::luffing::moving::symbols as m;
 use crate::luffing::resistances::outline::{EXTREMES, LIMITS, SUMMARY, USES};
 use crate::luffing::rope::symbols as s;
 
 /// What given quantities of its own are for that no formula has.
-const OWN_USES: [Purpose; 2] = [("start", &[&m::L_R, &m::PHI_R]), ("hoist", &[&m::V_H, &m::A_H])];
+const OWN_USES: [Purpose; 3] = [
+    ("start", &[&m::L_R, &m::PHI_R]),
+    ("hoist", &[&m::V_H, &m::A_H]),
+    ("control", SETTINGS),
+];
 
 pub const OUTLINE: Outline = Outline {
-    inputs: chapters!(geometry "", tackle, hoist_rope, weights, balance, load "Q", motion, moving "dynamics", hoisting, air, ground,
+    inputs: chapters!(geometry "", tackle, hoist_rope, weights, balance, load "Q", motion, moving "dynamics", luffing_control "control", hoisting, air, ground,
         cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_brake "cases.brake", case_second_brake "cases.second_brake",
         case_rope "cases.rope", case_pin_sizes "cases.pin_size", limits),
     constants: &[
@@ -75,7 +80,7 @@ pub const OUTLINE: Outline = Outline {
         ],
         LIMITS,
     ),
-    uses: &joined::<Purpose, 2, 2, 4>(OWN_USES, USES),
+    uses: &joined::<Purpose, 3, 2, 5>(OWN_USES, USES),
     forces: listed!(s: F_O1X, F_O1Y, N_B, T, T_UP, S_L_UP, S_H_UP, M_D),
     worst: &[("greatest_pull", &s::T_MAX)],
 };

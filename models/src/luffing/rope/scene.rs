@@ -24,8 +24,9 @@ use crate::kernel::variable::Fault;
 use crate::luffing::boom_scene::{INTERPOLATION, MOVING_FIDELITY, balance_work, begun, motion, uncovered, vanishing};
 use crate::luffing::counterweight::chapter;
 use crate::luffing::moving;
+use crate::luffing::moving::control::luffing::CONTROL;
 use crate::luffing::moving::given::Fitted;
-use crate::luffing::moving::hoisting::{BY_SPEED_KEYS, load_taken};
+use crate::luffing::moving::hoisting::BY_SPEED_KEYS;
 use crate::luffing::moving::levels;
 use crate::luffing::moving::scene::{Inert, Moving, brisk, dynamics, turns};
 use crate::luffing::moving::symbols as m;
@@ -46,11 +47,12 @@ use crate::parts::ground::GROUND;
 use crate::parts::motion::{Motion, degrees};
 use crate::parts::motor;
 use crate::parts::plane::{self, Point};
+use crate::parts::shaping;
 use crate::parts::teeth;
 use crate::parts::{air, ground, hanging, hydraulics};
 
 /// Keys of `[luffing]` with one of the two kinds.
-const fn keys(kind: Key, hoist_rope: &'static [Key]) -> [Key; 19] {
+const fn keys(kind: Key, hoist_rope: &'static [Key]) -> [Key; 20] {
     [
         kind,
         Key::quantity(&s::L, Sign::Positive),
@@ -72,6 +74,7 @@ const fn keys(kind: Key, hoist_rope: &'static [Key]) -> [Key; 19] {
             DYNAMICS,
             "Inertia, friction, drive and rope of a boom in motion.",
         ),
+        CONTROL,
         AIR,
         GROUND,
         Key::part("hoisting", BY_SPEED_KEYS, "Rope and hoist of a load that swings."),
@@ -140,7 +143,7 @@ impl Described for Rope {
     const ID: &'static str = "rope";
     const TABLE: &'static str = "luffing";
     const OUTLINE: &'static Outline = &OUTLINE;
-    const FOLLOWED: &'static [&'static Symbol] = listed!(m: S_R, H_G, N_G);
+    const FOLLOWED: &'static [&'static Symbol] = listed!(m: S_R, H_G, N_G, M_A);
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "rope_symbol",
         own: &[s::ALL],
@@ -148,6 +151,8 @@ impl Described for Rope {
             b::ALL,
             gravity::ALL,
             moving::symbols::ALL,
+            moving::control::luffing::ALL,
+            shaping::ALL,
             resistances::symbols::ALL,
             motor::ALL,
             teeth::ALL,
@@ -192,6 +197,9 @@ impl Described for Rope {
             },
             states: None,
             inputs: None,
+            control: None,
+            commanded: None,
+            latched: None,
             constants: None,
             ramp: None,
             give: None,
@@ -222,6 +230,16 @@ impl Described for Rope {
     fn check(this: &Description<Rope>, v: &Values, found: &mut Vec<Diagnostic>) {
         possible(this, v, found);
         told::check::<RopeBoom>(&this.standing(), &this.cases, v, found);
+    }
+
+    fn rope(this: &Description<Self>) -> Option<[f64; 2]> {
+        this.moving.as_ref()?.swings()
+    }
+
+    fn hang(&mut self, length: f64) {
+        if let Some(rope) = self.moving.as_mut().and_then(|moving| moving.rope.as_mut()) {
+            rope.length = length;
+        }
     }
 
     fn levels(&self) -> Vec<&'static str> {
@@ -289,7 +307,7 @@ impl Described for Rope {
         [level, "rope_masses"]
             .into_iter()
             .chain(balance)
-            .chain(load_taken(moving.rope.as_ref(), "rope_load"))
+            .chain(moving.taken("rope_load"))
             .chain(led)
             .chain(["rope_winch", "sticking", "stops", "rope_at_rest", "solver_runge_kutta"])
             .chain(foot)

@@ -17,6 +17,7 @@ use crate::luffing::balancing::{Balanced, Balancing};
 use crate::luffing::criteria::Criteria;
 use crate::luffing::moving::balance_in_motion::BalanceInMotion;
 use crate::luffing::moving::built::HoistParts;
+use crate::luffing::moving::control::{self, Axes, Controlled};
 use crate::luffing::moving::given::{Constants, CraneStates, Fitted, Inputs, Slack};
 use crate::luffing::moving::hoisting::{HoistRamp, RopeGive};
 use crate::luffing::moving::hydraulic::Modes;
@@ -52,6 +53,7 @@ use crate::luffing::strength::pins::Sheared;
 use crate::luffing::strength::pull::{RopeRatios, Tensed};
 use crate::luffing::with_balance::WithBalance;
 use crate::parts::air::AirAround;
+use crate::parts::control::{Control, Latched};
 use crate::parts::ground::GroundBelow;
 use crate::parts::plane::Point;
 
@@ -76,6 +78,9 @@ stages! {
         Parameter give: Option<RopeGive<C>>,
         Parameter around: Option<AirAround<C>>,
         Parameter ground: Option<GroundBelow<C>>,
+        Parameter control: Option<Axes<Control<C>>>,
+        Input commanded: Option<Axes<One<C>>>,
+        Latch latched: Option<Axes<Latched<C>>>,
         Memory wound: Option<One<C>>,
         Memory past: Option<Modes>,
         Memory slack: Option<Slack>,
@@ -141,8 +146,11 @@ stages! {
         ) => _;
         boom[constants]: Vec<Renewed<Heavy<Roped, C>>> = single::heavy(parts) => _;
         built[constants]: Vec<Level<C>> = single::built(parts, boom) => _;
-        told[constants]: Vec<Level<C>> = stages::told(built, inputs[!]) => _;
-        still: CraneAt<C> = stages::at(phi, omega, states[!], wound, past[!], inputs[!], fitted) => _;
+        sampled: Axes<Latched<C>> = control::sampled(control[!], commanded[!], latched[!], phi, omega, states[!]) => _;
+        controlled: Controlled<C> = Controlled::new(latched[!]);
+        commands: Inputs<C> = control::acting(inputs[!], latched) => _;
+        told[constants]: Vec<Level<C>> = stages::told(built, commands) => _;
+        still: CraneAt<C> = stages::at(phi, omega, states[!], wound, past[!], commands, fitted) => _;
         at: CraneAt<C> = stages::hanging(still, slack[!]) => _;
         moves: CraneMoves<C> = stages::moves(built, told, at, phi) => _;
         turning: BoomRates<Roped, C> = BoomRates::new(moves);
@@ -225,6 +233,16 @@ impl Component for RopeBoom {
             && symbol != &b::F_D_0
             && given.balance.as_ref().is_none_or(|form| form.has(symbol))
             && fittings(given).is_none_or(|crane| crane.has(symbol))
+    }
+
+    fn cycle(given: &Given<f64>) -> Option<f64> {
+        given.control.as_ref().and_then(control::cycle)
+    }
+
+    fn latch(known: &mut Known<f64>) -> Found<()> {
+        let held = *known.sampled()?;
+        *known.latched() = Some(held);
+        Ok(())
     }
 
     fn update(known: &mut Known<f64>) -> Found<()> {

@@ -132,6 +132,7 @@ fn lifting(moving: &Moving) -> Option<[f64; 2]> {
 /// The scene's crane at rest, its load hanging straight down, nothing commanded.
 pub(super) fn at_rest(moving: &Moving) -> Moving {
     let mut rest = *moving;
+    rest.controllers = None;
     rest.inputs.drives = [JointDrive::NONE; 2];
     (rest.inputs.hoist.speed, rest.inputs.hoist.drive, rest.inputs.valve) = (0.0, JointDrive::NONE, 0.0);
     if let Some(rope) = &mut rest.rope {

@@ -16,6 +16,7 @@ use crate::drive::symbols as d;
 use crate::kernel::record::record;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Role;
+use crate::luffing::moving::control::Axes;
 use crate::luffing::moving::given::{INPUTS, STATES};
 use crate::luffing::moving::hydraulic::CREEP;
 use crate::luffing::moving::luffs::Luffs;
@@ -181,17 +182,31 @@ pub(crate) fn moved<T: Shown>(luffing: &Description<T>) -> Option<Moved> {
             moving: runs.iter().map(|run| run.series.stands(index)).collect(),
         }
     };
+    let mut constants = match moving.oil {
+        Some(_) => vec![(&h::DP_LAM, LAMINAR), (&m::OMEGA_C, CREEP)],
+        None => Vec::new(),
+    };
+    let sample = moving.controllers.and_then(|controllers| {
+        let rest = Moving {
+            controllers: Some(controllers),
+            ..rest
+        };
+        let mut model = starting::<T::Component>(&given, luffing.motion, &rest, start).ok()?;
+        model.set_states(&states).ok()?;
+        let held = T::Component::luffing(model.standing().of::<T::Component>().given())
+            .sources
+            .latched;
+        constants.extend(held.iter().flat_map(Axes::before));
+        Some(sample::<T>(&model))
+    });
     let chapter = InMotion {
         time: &m::T,
         coordinate,
         instant: (instant.0, manoeuvres[of].id, shown.instant),
         of: None,
         state: state(&mut model, [coordinate, rate]),
-        constants: match moving.oil {
-            Some(_) => vec![(&h::DP_LAM, LAMINAR), (&m::OMEGA_C, CREEP)],
-            None => Vec::new(),
-        },
-        sections: sections::<T>(&model),
+        constants,
+        sections: sections::<T>(&model).into_iter().chain(sample).collect(),
         ramp: Some((&m::T_S, moving.ramp)),
         rules: rules(moving),
         envelope: designed.iter().map(envelope).collect(),
@@ -263,7 +278,7 @@ fn sections<T: Shown>(model: &MovingComponent) -> Vec<Section> {
         let model = standing.as_ref().filter(|_| id == STANDING).unwrap_or(model);
         let own = T::SECTIONS.iter().find(|(of, ..)| *of == id);
         let (id, own) = own.map_or((id, &[][..]), |(_, id, own)| (*id, *own));
-        let (mut trace, assembled) = record(|| recorded::<T>(model));
+        let (mut trace, assembled) = record(|| recorded::<T>(model, T::STAGES));
         let mut seen: Vec<&Symbol> = Vec::new();
         let mut index = 0;
         trace.steps.retain(|step| {
@@ -292,6 +307,17 @@ fn sections<T: Shown>(model: &MovingComponent) -> Vec<Section> {
         .map(section)
         .filter(|section| !section.trace.steps.is_empty())
         .collect()
+}
+
+/// One sample of the controllers, where the model is.
+fn sample<T: Shown>(model: &MovingComponent) -> Section {
+    let (mut trace, assembled) = record(|| recorded::<T>(model, &["sampled"]));
+    trace.steps.drain(..assembled);
+    Section {
+        id: "motion_control",
+        trace,
+        ..Section::default()
+    }
 }
 
 /// The chapter of all runs, each of a manoeuvre, with what is judged in them and warned of.

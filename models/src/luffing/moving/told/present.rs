@@ -81,9 +81,9 @@ pub(super) fn standing<T: Luffs>(model: &MovingComponent) -> Option<MovingCompon
     Some(model)
 }
 
-/// Runs the equations of motion as they are now under the recorder. Returns how many steps were recorded while
-/// they were assembled.
-pub(super) fn recorded<T: Shown>(model: &MovingComponent) -> usize {
+/// Runs stages as they are now under the recorder, after the equations of motion were assembled. Returns how many steps were
+/// recorded until then.
+pub(super) fn recorded<T: Shown>(model: &MovingComponent, wanted: &[&str]) -> usize {
     let runner = model.standing().of::<T::Component>();
     let plain = runner.given();
     let given = T::Component::map(plain, &mut |source, (symbol, _), value| {
@@ -108,7 +108,7 @@ pub(super) fn recorded<T: Shown>(model: &MovingComponent) -> usize {
     let built = make("built");
     let assembled = record::steps();
     if built {
-        for id in T::STAGES {
+        for id in wanted {
             make(id);
         }
     }

@@ -1,0 +1,48 @@
+//! The controller of a hoist with a motor.
+
+use crate::kernel::keys::keys;
+use crate::kernel::schema::Key;
+use crate::kernel::symbol::symbols;
+use crate::luffing::moving::control::hoist as s;
+use crate::luffing::moving::symbols::M_M_H;
+use crate::parts::control::{Axis, TABLE};
+
+symbols! {
+    K_PH: "K_ph" "K_\"p h\"" N_S / KN_S [positive], "Proportional gain of the hoist controller: moment over the error of the speed.", "input";
+    K_IH: "K_ih" "K_\"i h\"" N / KN [positive], "Integral gain of the hoist controller: moment over the integral of that error.", "input";
+    T_CH: "T_ch" "T_\"c h\"" S / MS [from_to(1e-4, 10.0)], "Cycle of the hoist controller: time from one sample to the next.", "input";
+    A_CH: "a_ch" "a_\"c h\"" M_PER_S2 / M_PER_S2 [positive], "Greatest acceleration of the hoist controller's set point.", "input";
+    M_MAXH: "M_maxh" "M_\"max h\"" N_M / KN_M [positive], "Greatest moment of the hoist motor under its controller, by amount.", "input";
+    K_LH: "K_lh" "K_(l h)" PER_S / PER_S [positive], "Speed of the rope asked for over the length that is left to the commanded one.", "input";
+    V_MAXH: "v_maxh" "v_\"max h\"" M_PER_S / M_PER_S [positive], "Greatest speed with which the hoist controller goes to a commanded length of the rope.", "input";
+    V_CH: "v_ch" "v_\"c h\"" M_PER_S / M_PER_S, "Commanded speed of the hoist rope at the head; positive lowers the load.", "input";
+    L_CH: "l_ch" "l_\"c h\"" M / M, "Commanded length of the rope from head to load.", "input";
+    V_SH: "v_sh" "v_\"s h\"" M_PER_S / M_PER_S, "Set point of the hoist controller since its last sample.", "derived";
+    M_IH: "M_ih" "M_\"i h\"" N_M / KN_M, "Integral part of the moment since the last sample of the hoist controller.", "derived";
+    M_HH: "M_hh" "M_\"h h\"" N_M / KN_M, "Moment that the hoist controller holds since its last sample.", "derived";
+    E_LH: "e_lh" "e_(l h)" M / M, "Length that is left to the commanded length of the rope at a sample.", "derived";
+    V_WH: "v_wh" "v_\"w h\"" M_PER_S / M_PER_S, "Speed at which the hoist goes to its commanded length of rope: from it the set point's acceleration stops it there.", "derived";
+    V_NH: "v_nh" "v_\"n h\"" M_PER_S / M_PER_S, "Set point of the hoist controller from this sample to the next.", "derived";
+    E_NH: "e_nh" "e_\"n h\"" M_PER_S / M_PER_S, "Error of the rope's speed at a sample; positive where the load is to be lifted faster.", "derived";
+    M_AH: "M_ah" "M_\"a h\"" N_M / KN_M, "Moment that the hoist controller asks for, before its limit.", "derived";
+    M_INH: "M_inh" "M_\"i,n h\"" N_M / KN_M, "Integral part of the moment after this sample, unless the limit holds it.", "derived";
+    M_NH: "M_nh" "M_\"n h\"" N_M / KN_M, "Moment of the hoist motor from this sample to the next.", "derived";
+}
+
+pub static AXIS: Axis = Axis {
+    settings: [&K_PH, &K_IH, &T_CH, &A_CH, &M_MAXH],
+    approach: [&K_LH, &V_MAXH],
+    commands: [&V_CH, &L_CH],
+    held: [&V_SH, &M_IH, &M_HH],
+    sample: [&E_LH, &V_WH, &V_NH, &E_NH, &M_AH, &M_INH, &M_NH],
+    drive: &M_M_H,
+    reversed: true,
+};
+
+/// The table of a scene whose hoist has a controller.
+pub const CONTROL: Key = Key::part(TABLE, KEYS, "Controller of the hoist, and its command.");
+
+static KEYS: &[Key] = keys! { s:
+    K_PH > 0, K_IH > 0, T_CH > 0, A_CH > 0, M_MAXH > 0, V_CH [over_time, optional], L_CH [over_time, optional],
+    K_LH > 0 [optional], V_MAXH > 0 [optional]
+};

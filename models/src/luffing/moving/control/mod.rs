@@ -1,0 +1,172 @@
+//! Controllers of a crane's drives: [`crate::parts::control`] as the source of the moments of luffing, slewing and a hoist's
+//! motor, which one PLC samples.
+//!
+//! | file | what |
+//! |---|---|
+//! | `luffing`, `hoist` | quantities of the two that only a luffing crane has |
+//! | `holding` | what they hold at the start |
+//! | `reading` | controllers as scenes describe them |
+
+use crate::component::stages::{Found, Rows, absent};
+use crate::kernel::calc::Calc;
+use crate::kernel::group::{Group, One};
+use crate::kernel::symbol::Symbol;
+use crate::kernel::variable::Quantity;
+use crate::luffing::moving::given::{CraneStates, Inputs, L_R, OMEGA_SL, PSI_SL, V_R};
+use crate::luffing::moving::symbols as m;
+use crate::parts::control::{Axis, Control, Latched};
+use crate::parts::turntable_control as slewing;
+
+pub mod hoist;
+mod holding;
+pub mod luffing;
+mod reading;
+
+pub use crate::luffing::moving::control::holding::holding;
+pub use crate::luffing::moving::control::reading::Controllers;
+
+/// Of luffing, slewing and hoist, as far as they have controllers.
+#[derive(Clone, Copy, Debug)]
+pub struct Axes<G>(pub [Option<G>; 3]);
+
+/// What they are called, in this order.
+pub static AXES: [&Axis; 3] = [&luffing::AXIS, &slewing::AXIS, &hoist::AXIS];
+
+impl<C: Calc, G: Group<C>> Group<C> for Axes<G> {
+    type Over<D: Calc> = Axes<G::Over<D>>;
+    const SIZE: usize = 3 * G::SIZE;
+    fn map<D: Calc>(&self, f: &mut dyn FnMut(Quantity, C) -> D) -> Axes<G::Over<D>> {
+        Axes(self.0.each_ref().map(|axis| axis.map(f)))
+    }
+    fn take(&self, place: usize) -> C {
+        let (axis, place) = self.found::<C>(place);
+        self.0[axis].take(place)
+    }
+    fn put(&mut self, place: usize, value: C) {
+        let (axis, place) = self.found::<C>(place);
+        self.0[axis].put(place, value);
+    }
+}
+
+impl<G> Axes<G> {
+    /// The axis that has a place, and where that is in it.
+    fn found<C: Calc>(&self, mut place: usize) -> (usize, usize)
+    where
+        G: Group<C>,
+    {
+        for (i, axis) in self.0.iter().enumerate() {
+            let mut size = 0;
+            axis.map(&mut |_, value: C| {
+                size += 1;
+                value
+            });
+            if place < size {
+                return (i, place);
+            }
+            place -= size;
+        }
+        unreachable!("no such place")
+    }
+}
+
+/// The cycle of the PLC that samples them, in s.
+#[must_use]
+pub fn cycle(control: &Axes<Control>) -> Option<f64> {
+    control.0.iter().flatten().map(Control::cycle).next()
+}
+
+/// One sample of each, at the driven bar's angle (rad) and angular velocity (rad/s) and other states.
+pub fn sampled<C: Calc>(
+    control: &Axes<Control<C>>,
+    commanded: &Axes<One<C>>,
+    held: &Axes<Latched<C>>,
+    theta: &One<C>,
+    omega: &One<C>,
+    CraneStates(states): &CraneStates<C>,
+) -> Axes<Latched<C>> {
+    let at = [
+        [theta.1, omega.1],
+        [states[PSI_SL], states[OMEGA_SL]],
+        [states[L_R], states[V_R]],
+    ];
+    Axes(std::array::from_fn(|i| {
+        Some(control.0[i]?.sample(&held.0[i]?, &commanded.0[i]?, at[i]))
+    }))
+}
+
+/// Inputs with the moments that controllers hold.
+pub fn acting<C: Calc>(given: &Inputs<C>, held: &Option<Axes<Latched<C>>>) -> Inputs<C> {
+    let mut inputs = *given;
+    if let Some(Axes(held)) = held {
+        for (i, held) in held.iter().enumerate() {
+            if let Some(held) = held {
+                inputs.drive(i).moment = held.moment;
+            }
+        }
+    }
+    inputs
+}
+
+/// What they hold.
+#[derive(Clone, Copy, Debug)]
+pub struct Controlled<C>([Option<Latched<C>>; 3]);
+
+/// Moment, set point and integral part of each.
+pub const HELD: [&Symbol; 9] = [
+    &m::M_A,
+    &luffing::OMEGA_S_A,
+    &luffing::M_I_A,
+    &m::M_SL,
+    &slewing::OMEGA_S_SL,
+    &slewing::M_I_SL,
+    &m::M_M_H,
+    &hoist::V_SH,
+    &hoist::M_IH,
+];
+
+impl<C: Calc> Rows<C> for Controlled<C> {
+    const ROWS: &'static [&'static Symbol] = &HELD;
+    fn row(&self, row: u8, _: u16) -> Found<C> {
+        let held = self.0[usize::from(row / 3)].as_ref().ok_or_else(absent)?;
+        Ok([held.moment, held.set, held.integral][usize::from(row % 3)])
+    }
+}
+
+impl<C: Calc> Controlled<C> {
+    pub fn new(held: &Axes<Latched<C>>) -> Controlled<C> {
+        Controlled(held.0)
+    }
+}
+
+impl Axes<Latched> {
+    /// Set points and integral parts.
+    pub fn before(&self) -> impl Iterator<Item = (&'static Symbol, f64)> {
+        let Axes(held) = *self;
+        held.into_iter().flatten().flat_map(|held| {
+            let [set, integral, _] = held.axis.held;
+            [(set, held.set), (integral, held.integral)]
+        })
+    }
+}
+
+/// What controllers are set to that one sample need not meet.
+pub const SETTINGS: &[&Symbol] = &[
+    &luffing::K_I_A,
+    &luffing::T_C_A,
+    &luffing::A_A,
+    &luffing::M_MAX_A,
+    &luffing::K_THETA_A,
+    &luffing::OMEGA_MAX_A,
+    &slewing::K_I_SL,
+    &slewing::T_C_SL,
+    &slewing::A_SL,
+    &slewing::M_MAX_SL,
+    &slewing::K_PSI_SL,
+    &slewing::OMEGA_MAX_SL,
+    &hoist::K_IH,
+    &hoist::T_CH,
+    &hoist::A_CH,
+    &hoist::M_MAXH,
+    &hoist::K_LH,
+    &hoist::V_MAXH,
+];

@@ -1,0 +1,212 @@
+//! A controller as a PLC runs it: proportional and integral, sampled, its set point on a ramp, its moment limited. At every
+//! multiple of its cycle it reads place and speed of an axis; until the next one its moment holds. It follows a commanded speed,
+//! or goes to a commanded place at a speed from which it can stop there.
+
+use crate::kernel::calc::Calc;
+use crate::kernel::group::{One, by_map};
+use crate::kernel::number::short;
+use crate::kernel::symbol::Symbol;
+
+mod reading;
+
+pub use crate::parts::control::reading::TABLE;
+
+/// A controlled axis: what its quantities are called.
+#[derive(Debug)]
+pub struct Axis {
+    /// K_p and K_i, cycle, ramp of the set point, greatest moment.
+    pub settings: [&'static Symbol; 5],
+    /// Speed asked for over the distance that is left, and the greatest one: of an axis whose place is commanded.
+    pub approach: [&'static Symbol; 2],
+    /// Of speed and of place.
+    pub commands: [&'static Symbol; 2],
+    /// Set point, integral part and moment, from one sample to the next.
+    pub held: [&'static Symbol; 3],
+    /// What a sample finds: distance that is left, speed asked for, set point, error, moment asked for, integral part, moment.
+    pub sample: [&'static Symbol; 7],
+    /// The moment of its drive.
+    pub drive: &'static Symbol,
+    /// A positive moment turns it backwards.
+    pub reversed: bool,
+}
+
+/// What a controller is set to.
+#[derive(Clone, Copy, Debug)]
+pub struct Control<C = f64> {
+    pub axis: &'static Axis,
+    /// Moment over the error of the speed and over the integral of it; in N·m·s and N·m of an axis that turns.
+    gains: [C; 2],
+    /// From sample to sample, in s.
+    cycle: C,
+    /// Greatest acceleration of the set point.
+    ramp: C,
+    /// Greatest moment by amount, in N·m.
+    limit: C,
+    /// Where its place is commanded: speed over distance (1/s), and greatest speed.
+    approach: Option<[C; 2]>,
+}
+
+/// What it holds from one sample to the next.
+#[derive(Clone, Copy, Debug)]
+pub struct Latched<C = f64> {
+    pub axis: &'static Axis,
+    pub set: C,
+    pub integral: C,
+    pub moment: C,
+}
+
+impl<C: Copy> Control<C> {
+    /// The same over another scalar.
+    pub fn map<D>(&self, f: &mut dyn FnMut(&'static Symbol, C) -> D) -> Control<D> {
+        let [k_p, k_i, t_c, a, m_max] = self.axis.settings;
+        let [first, second] = self.axis.approach;
+        Control {
+            axis: self.axis,
+            gains: [f(k_p, self.gains[0]), f(k_i, self.gains[1])],
+            cycle: f(t_c, self.cycle),
+            ramp: f(a, self.ramp),
+            limit: f(m_max, self.limit),
+            approach: self.approach.map(|[k, most]| [f(first, k), f(second, most)]),
+        }
+    }
+}
+
+impl<C: Copy> Latched<C> {
+    /// The same over another scalar.
+    pub fn map<D>(&self, f: &mut dyn FnMut(&'static Symbol, C) -> D) -> Latched<D> {
+        let [set, integral, moment] = self.axis.held;
+        Latched {
+            axis: self.axis,
+            set: f(set, self.set),
+            integral: f(integral, self.integral),
+            moment: f(moment, self.moment),
+        }
+    }
+}
+
+by_map!(Control: 7);
+by_map!(Latched: 3);
+
+/// A number no further from zero than a limit, which is not negative.
+fn limited<C: Calc>(x: C, limit: C) -> C {
+    match x.value() {
+        over if over > limit.value() => limit,
+        under if under < -limit.value() => -limit,
+        _ => x,
+    }
+}
+
+impl<C: Calc> Control<C> {
+    /// v_w = sgn(e_x) min(K_x |e_x|, √(2 a |e_x|), v_max): the speed at which to go to a place.
+    fn wanted(&self, [k, most]: [C; 2], commanded: C, place: C) -> C {
+        let [left, wanted, ..] = self.axis.sample;
+        let left = (commanded - place).def(left);
+        let far = left.abs();
+        let near = limited(k * far, most);
+        let stops = (C::constant(2.0) * self.ramp * far).sqrt();
+        let speed = if stops.value() < near.value() { stops } else { near };
+        (if left.value() < 0.0 { -speed } else { speed }).def(wanted)
+    }
+
+    /// v_n = v_s ± a T_c towards v_c, e = v_n − v, M_n = K_p e + M_i within ±M_max; M_i grows by K_i T_c e unless the moment is
+    /// at its limit and the error asks for more (anti-windup by clamping).
+    pub fn sample(&self, held: &Latched<C>, commanded: &One<C>, [place, speed]: [C; 2]) -> Latched<C> {
+        let commanded = match self.approach {
+            Some(approach) => self.wanted(approach, commanded.1, place),
+            None => commanded.1,
+        };
+        let [_, _, set_n, e_n, m_a, m_in, m_n] = self.axis.sample;
+        let most = self.ramp * self.cycle;
+        let set = match (commanded - held.set).value() {
+            rise if rise > most.value() => held.set + most,
+            fall if fall < -most.value() => held.set - most,
+            _ => commanded,
+        };
+        let set = set.def(set_n);
+        let error = if self.axis.reversed { speed - set } else { set - speed };
+        let error = error.def(e_n);
+        let [proportional, integral] = self.gains;
+        let asked = (proportional * error + held.integral).def(m_a);
+        let beyond = asked.value().abs() > self.limit.value();
+        let winds = beyond && (asked.value() > 0.0) == (error.value() > 0.0);
+        let grown = || (held.integral + integral * self.cycle * error).def(m_in);
+        Latched {
+            axis: self.axis,
+            set,
+            integral: if winds { held.integral } else { grown() },
+            moment: limited(asked, self.limit).def(m_n),
+        }
+    }
+
+    /// ω_0 = √(K_i/J) in rad/s, ζ = (K_p + c)/(2 √(K_i J)) of a rigid shaft with viscous friction (N·m·s), as the cycle goes to
+    /// zero: J ω̇ = K_p e + K_i ∫e dt − c ω.
+    pub fn vibration(&self, inertia: C, friction: C, [omega_0, zeta]: [&'static Symbol; 2]) -> [C; 2] {
+        let [proportional, integral] = self.gains;
+        let frequency = (integral / inertia).sqrt().def(omega_0);
+        let damping = (proportional + friction) / (C::constant(2.0) * (integral * inertia).sqrt());
+        [frequency, damping.def(zeta)]
+    }
+}
+
+/// Ids of what a model takes for granted of controllers.
+pub fn taken<'a>(controls: impl Iterator<Item = &'a Control> + Clone) -> impl Iterator<Item = &'static str> {
+    let first = controls.clone().next().map(|_| "control");
+    let to_place = controls
+        .clone()
+        .find_map(|control| control.approach)
+        .map(|_| "control_to_place");
+    first.into_iter().chain(to_place)
+}
+
+impl Latched {
+    /// With a set point and no moment yet.
+    #[must_use]
+    pub fn steady(control: &Control, set: f64) -> Latched {
+        Latched {
+            axis: control.axis,
+            set,
+            integral: 0.0,
+            moment: 0.0,
+        }
+    }
+}
+
+impl Control {
+    /// From sample to sample, in s.
+    #[must_use]
+    pub fn cycle(&self) -> f64 {
+        self.cycle
+    }
+
+    /// Greatest moment by amount, in N·m.
+    #[must_use]
+    pub fn limit(&self) -> f64 {
+        self.limit
+    }
+
+    /// What is wrong, and what to do, where a speed swings up under its samples: eigenvalues of z² − (2 − p) z + 1 − p + q beyond
+    /// the unit circle, where p = K_p T_c/J and q = K_i T_c²/J, with moment over acceleration J.
+    #[must_use]
+    pub fn swings_up(&self, inertia: f64) -> Option<[String; 2]> {
+        let [p, q] = self.gains.map(|gain| gain * self.cycle / inertia);
+        let q = q * self.cycle;
+        if q < p && 2.0 * p - q < 4.0 {
+            return None;
+        }
+        let [k_p, k_i, t_c, ..] = self.axis.settings;
+        Some([
+            format!(
+                "samples every {} under which a speed swings up",
+                t_c.written(self.cycle)
+            ),
+            format!(
+                "give a shorter cycle, or other gains: stable is {i} {t} < {p} with 2 {p} {t} < 4 J + {i} {t}^2, where J = {} is \
+                 the moment over the acceleration that it gives",
+                short(inertia),
+                i = k_i.id,
+                p = k_p.id,
+                t = t_c.id,
+            ),
+        ])
+    }
+}
