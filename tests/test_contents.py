@@ -100,13 +100,15 @@ SAID = {
     "luffing_cylinder": ({"level_hydraulic", "oil", "anti_cavitation", "load_holding", "pump_limits", "tank", "rope"}, {"sticking", "stops"}),
     "hydraulic_swing_slewing": ({"level_hydraulic", "rope", "hoist", "slewing"}, {"fixed_load", "stops"}),
     "portal_crane": ({"level_swing", "elastic_rope", "hoist_ramp", "slewing"}, {"rope", "slack", "hoist", "hoist_motor"}),
+    "portal_by_speed": ({"level_swing", "elastic_rope", "hoist_motor", "slewing", "control", "control_to_place"}, {"rope", "hoist_ramp"}),
+    "slewing_by_speed": ({"slewing_level_swing", "control"}, {"slewing_load", "control_to_place"}),
     "load_on_ground": ({"level_swing", "elastic_rope", "hoist_ramp", "ground"}, {"rope", "slack", "air"}),
     "boat_hoist_003": ({"level_kinematic", "resistance"}, {"level_turning", "forces"}),
     "boat_hoist_003_hydraulic": ({"level_turning", "resistance"}, {"level_kinematic"}),
     "car_4x2": ({"level_kinematic"}, {"level_turning"}),
 }
 # Where the coordinate's name does not begin with theta.
-COORDINATES = {"slewing_swing": "psi_sl", "ellipsograph": "phi", "ellipsograph_motion": "phi", "rope_motion": "phi", "curved_trunk": "phi"}
+COORDINATES = {"slewing_swing": "psi_sl", "slewing_by_speed": "psi_sl", "ellipsograph": "phi", "ellipsograph_motion": "phi", "rope_motion": "phi", "curved_trunk": "phi"}
 
 
 @pytest.mark.parametrize("name", SAID)

@@ -17,7 +17,7 @@ use lemnis_models::steering;
 use lemnis_models::supports::{column, drive as drive_of_supports, mobile, portal, ring, upper};
 
 /// Every mechanism with its table.
-const TABLES: [(&str, &[&Symbol]); 30] = [
+const TABLES: [(&str, &[&Symbol]); 32] = [
     ("The double-link luffing mechanism", double_link::symbols::ALL),
     (
         "The double-link luffing mechanism in motion",
@@ -32,7 +32,12 @@ const TABLES: [(&str, &[&Symbol]); 30] = [
     ("The boom on guide and link", luffing::ellipsograph::symbols::ALL),
     ("The boom with a curved trunk", luffing::curved_trunk::symbols::ALL),
     ("The joint by which a crane slews", turntable::ALL),
-    ("The controller of that joint's speed", turntable_control::ALL),
+    ("The controller of that joint", turntable_control::ALL),
+    ("The controller of luffing", luffing::moving::control::luffing::ALL),
+    (
+        "The controller of a hoist's motor",
+        luffing::moving::control::hoist::ALL,
+    ),
     ("A command shaped against a swing", shaping::ALL),
     ("A load on its rope, from a head that joints move", hanging::ALL),
     ("Air around a load on its rope", air::ALL),

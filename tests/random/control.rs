@@ -55,7 +55,11 @@ pub fn controlled(control: &mut Node, axis: &Axis, inertia: f64, speed: f64, [fr
     if to_place {
         let place = from + (to - from) * control.draw.between(0.0, 1.0);
         let steep = control.draw.between(0.05, 1.0) / time;
-        for (name, value) in [(by_place, place), (axis.approach[0], steep), (axis.approach[1], speed.abs().max(1e-6))] {
+        for (name, value) in [
+            (by_place, place),
+            (axis.approach[0], steep),
+            (axis.approach[1], speed.abs().max(1e-6)),
+        ] {
             control.set(name, value);
         }
         control.remove(&[by_speed]);

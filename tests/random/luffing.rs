@@ -739,7 +739,9 @@ fn controls(n: &mut Node, inertia: f64, oil: bool, lasts: f64) {
     let (length, time, cycle) = (n.draw.scale[0], n.draw.scale[2], cycle(n));
     let some = n.draw.coin(0.3);
     n.keep("control", some && !oil);
-    let range = n.child("motion").map_or([0.0; 2], |m| ["from", "to"].map(|name| m.get(name)));
+    let range = n
+        .child("motion")
+        .map_or([0.0; 2], |m| ["from", "to"].map(|name| m.get(name)));
     if let Some(mut control) = n.child("control") {
         let speed = (range[1] - range[0]) / lasts * control.draw.between(-1.0, 1.0);
         controlled(&mut control, &LUFFING, inertia, speed, range, cycle);
@@ -749,7 +751,14 @@ fn controls(n: &mut Node, inertia: f64, oil: bool, lasts: f64) {
         let (inertia, start) = (turning.get("J_sl"), turning.get("psi_sl"));
         if let Some(mut control) = turning.child("control") {
             let speed = control.draw.between(-0.5, 0.5) / time;
-            controlled(&mut control, &SLEWING, inertia, speed, [start - 1.0, start + 1.0], cycle);
+            controlled(
+                &mut control,
+                &SLEWING,
+                inertia,
+                speed,
+                [start - 1.0, start + 1.0],
+                cycle,
+            );
             turning.remove(&[SLEWING.moment]);
         }
     }

@@ -9,8 +9,8 @@ use lemnis_models::parts::turntable::MOST_SPIN;
 use lemnis_models::slewing::symbols as s;
 use toml::Table;
 
-use crate::luffing::{air, working_range};
 use crate::control::{SLEWING, controlled, cycle};
+use crate::luffing::{air, working_range};
 use crate::scene::{Draw, Node};
 
 /// A result that every level has.
@@ -99,7 +99,14 @@ fn controls(n: &mut Node, inertia: f64) {
     let (time, cycle, start) = (n.draw.scale[2], cycle(n), n.get("psi_sl"));
     let Some(mut control) = n.child("control") else { return };
     let speed = 0.5 * most.min(1.0 / time) * control.draw.between(-1.0, 1.0);
-    controlled(&mut control, &SLEWING, inertia, speed, [start - 1.0, start + 1.0], cycle);
+    controlled(
+        &mut control,
+        &SLEWING,
+        inertia,
+        speed,
+        [start - 1.0, start + 1.0],
+        cycle,
+    );
     n.remove(&[SLEWING.moment]);
 }
 

@@ -234,3 +234,24 @@ fn rounding(written: &str, value: f64, source: Option<&Text>) -> Option<f64> {
 pub fn line(text: &str, place: &Range<usize>) -> usize {
     1 + text[..place.start].matches('\n').count()
 }
+
+impl Values {
+    /// The quantity of a symbol, from this table or one within it, in SI.
+    #[must_use]
+    pub fn of(&self, symbol: &'static Symbol) -> Option<f64> {
+        self.holder(symbol)?.number(symbol.id)
+    }
+
+    /// This table, or the one within it that has a symbol's quantity.
+    pub(crate) fn holder(&self, symbol: &'static Symbol) -> Option<&Values> {
+        let own = |key: &Key| key.number().is_some_and(|(known, _)| known == symbol);
+        if self.keys.iter().any(own) {
+            return Some(self);
+        }
+        let mut within = self.entries.iter().filter_map(|(_, value, _)| match value {
+            Value::Table(table) => table.holder(symbol),
+            _ => None,
+        });
+        within.find(|table| table.number(symbol.id).is_some())
+    }
+}

@@ -200,8 +200,8 @@ impl Control {
                 t_c.written(self.cycle)
             ),
             format!(
-                "give a shorter cycle, or other gains: stable is {i} {t} < {p} with 2 {p} {t} < 4 J + {i} {t}^2, where J = {} is \
-                 the moment over the acceleration that it gives",
+                "give a shorter cycle, or other gains: stable is {i} {t} < {p} with 2 {p} {t} < 4 J + {i} {t}^2, where J = {} in \
+                 SI units is the moment over the acceleration that it gives",
                 short(inertia),
                 i = k_i.id,
                 p = k_p.id,
