@@ -16,7 +16,7 @@ const R_H: f64 = 0.25;
 const FALLS: f64 = 2.0;
 /// Gains (N·s, N) and cycle (s).
 const K_P: f64 = 40e3;
-const K_I: f64 = 60e3;
+const K_I: f64 = 120e3;
 const CYCLE: f64 = 0.05;
 
 /// The lemniscate crane as a portal crane of no slewing: its boom braked, its load on a rope that keeps its length.
@@ -28,7 +28,7 @@ fn hoist(control: &str) -> Model {
     let head = head.replace("Q = \"100 kN\"", "Q = \"8 t\"");
     model(&format!(
         "{head}\nM_S = \"1e5 kN.m\"\n\n[hoisting]\nl_R = \"15 m\"\nJ_h = \"400 kg.m2\"\nr_h = \"250 mm\"\nm_h = \"2\"\n\n\
-         [hoisting.control]\nK_ph = \"40 kN.s\"\nK_ih = \"60 kN\"\nT_ch = \"50 ms\"\n{control}\n\n[luffing.limits]{limits}"
+         [hoisting.control]\nK_ph = \"40 kN.s\"\nK_ih = \"120 kN\"\nT_ch = \"50 ms\"\n{control}\n\n[luffing.limits]{limits}"
     ))
 }
 
