@@ -150,7 +150,7 @@ pub trait Described: Clone + fmt::Debug + Send + Sync + Sized + 'static {
     }
 
     /// Length of the rope on which its load swings at the start (m), and gravity (m/s²).
-    fn rope(_this: &Description<Self>) -> Option<[f64; 2]> {
+    fn hangs_on(_this: &Description<Self>) -> Option<[f64; 2]> {
         None
     }
 

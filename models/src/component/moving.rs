@@ -5,14 +5,13 @@ pub mod bodies;
 pub mod clock;
 mod commands;
 mod following;
-mod sampled;
+pub mod sampled;
 pub mod smooth;
 
 use std::any::Any;
 
 pub use crate::component::moving::commands::Ramp;
 use crate::component::moving::commands::{Commands, Followed};
-use crate::component::moving::sampled::Sampled;
 use crate::component::running::{Running, State, Tangent};
 use crate::component::stages::{Slot, Source};
 use crate::component::standing::{Standing, VariablePlace};
@@ -174,17 +173,13 @@ impl MovingComponent {
     ///
     /// # Errors
     /// A motion that cannot begin there.
-    pub fn new<T: Carrier>(
+    pub fn new(
         standing: Standing,
-        carrier: impl FnOnce(&mut Standing) -> Result<T, Fault>,
+        carrier: impl FnOnce(&mut Standing) -> Result<Box<dyn Carrier>, Fault>,
     ) -> Result<MovingComponent, Fault> {
         let mut standing = standing.with_states();
-        let mut carrier: Box<dyn Carrier> = Box::new(carrier(&mut standing)?);
-        if standing.part().cycle().is_some() {
-            carrier = Box::new(Sampled::new(carrier, &standing));
-        }
         Ok(MovingComponent {
-            carrier,
+            carrier: carrier(&mut standing)?,
             states: states(&standing),
             standing,
             commands: None,

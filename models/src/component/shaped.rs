@@ -38,7 +38,7 @@ fn shaping<T: Described>(told: &Description<T>) -> Option<Shaping<f64>> {
 
 /// Tells it, where the load swings and a command is shaped.
 pub(super) fn tell<T: Described>(told: &Description<T>, sheet: &mut Sheet) {
-    let Some((rope, shaping)) = T::rope(told).zip(shaping(told)) else {
+    let Some((rope, shaping)) = T::hangs_on(told).zip(shaping(told)) else {
         return;
     };
     let [length, gravity] = rope;

@@ -184,7 +184,7 @@ impl Described for HopperScene {
         let mut begun = this.clone();
         begun.own.given.into.1 = into;
         Some(MovingComponent::new(begun.standing(), |model| {
-            SmoothPieces::new(model, &[contents], this.step)
+            Ok(Box::new(SmoothPieces::new(model, &[contents], this.step)?))
         }))
     }
 

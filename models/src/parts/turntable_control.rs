@@ -3,7 +3,8 @@
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Values};
 use crate::kernel::symbol::{Symbol, symbols};
-use crate::parts::control::{Axis, TABLE};
+use crate::parts::control::DriveAxis;
+use crate::parts::control::reading::TABLE;
 use crate::parts::turntable::M_SL;
 use crate::parts::turntable_control as s;
 
@@ -31,7 +32,7 @@ symbols! {
     ZETA_SL: "zeta_sl" "zeta_\"sl\"" ONE / ONE, "Damping ratio of all that slews under its controller.", "derived";
 }
 
-pub static AXIS: Axis = Axis {
+pub static AXIS: DriveAxis = DriveAxis {
     settings: [&K_P_SL, &K_I_SL, &T_C_SL, &A_SL, &M_MAX_SL],
     approach: [&K_PSI_SL, &OMEGA_MAX_SL],
     commands: [&OMEGA_C_SL, &PSI_C_SL],

@@ -3,7 +3,7 @@
 use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
-use crate::parts::control::{Control, Latched};
+use crate::parts::control::{Latched, SpeedControl};
 use crate::parts::turntable::Turning;
 use crate::slewing::motion::SlewingDrive;
 use crate::slewing::swinging::SwingingLoad;
@@ -30,7 +30,7 @@ pub fn acting<C: Calc>(given: &SlewingDrive<C>, held: &Option<Latched<C>>) -> Sl
 
 /// One sample of the controller, at an angle (rad) and an angular velocity (rad/s).
 pub fn sampled<C: Calc>(
-    control: &Control<C>,
+    control: &SpeedControl<C>,
     commanded: &One<C>,
     held: &Latched<C>,
     psi: &One<C>,
@@ -46,7 +46,12 @@ results! { Regulated as r => { OMEGA_0_SL: r.0[0]; ZETA_SL: r.0[1]; } }
 
 impl<C: Calc> Regulated<C> {
     /// With the load where that keeps its place under the head.
-    pub fn new(control: &Control<C>, turning: &Turning<C>, swung: &Option<SwingingLoad<C>>, total: &C) -> Regulated<C> {
+    pub fn new(
+        control: &SpeedControl<C>,
+        turning: &Turning<C>,
+        swung: &Option<SwingingLoad<C>>,
+        total: &C,
+    ) -> Regulated<C> {
         let inertia = if swung.is_some() { turning.j_sl } else { *total };
         Regulated(control.vibration(inertia, turning.c_sl, [&s::OMEGA_0_SL, &s::ZETA_SL]))
     }

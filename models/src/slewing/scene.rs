@@ -4,6 +4,7 @@ use crate::component::description::{Described, Description, Vocabulary};
 use crate::component::draw::{Draw, distance, polar};
 use crate::component::mechanism::{Entry, Solver};
 use crate::component::moving::MovingComponent;
+use crate::component::moving::sampled::with_samples;
 use crate::component::moving::smooth::SmoothPieces;
 use crate::component::outline::{Limit, Outline};
 use crate::component::sheet::{Check, Drawing, Input};
@@ -20,7 +21,7 @@ use crate::kernel::sign::Sign;
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::Fault;
 use crate::parts::air::{self, AIR, AirAround, WindAtLoad, around};
-use crate::parts::control::{Control, Latched, taken};
+use crate::parts::control::{Latched, SpeedControl, taken};
 use crate::parts::hanging::{self, HangingLoad};
 use crate::parts::motion::Motion;
 use crate::parts::plane::Point;
@@ -188,7 +189,9 @@ impl Described for SlewingScene {
         let air = air.and_then(|table| in_air(table, [n(s::L_R.id), gravity], found));
         let (around, blowing) = air.unzip();
         let inertia = joint.turning.j_sl + carried / gravity * n(s::R.id);
-        let controlled = Control::read(&AXIS, v, v).map_err(|refused| found.push(refused)).ok()?;
+        let controlled = SpeedControl::read(&AXIS, v, v)
+            .map_err(|refused| found.push(refused))
+            .ok()?;
         let (control, commanded) = controlled.unzip();
         found.extend(control.and_then(|control| control.unstable(v, inertia)));
         let lasts = v
@@ -291,7 +294,8 @@ impl Described for SlewingScene {
             latched.set = this.start[1];
         }
         Some(MovingComponent::new(resting.standing(), |model| {
-            SmoothPieces::new(model, &this.start, this.step)
+            let own = SmoothPieces::new(model, &this.start, this.step)?;
+            Ok(with_samples(own, model))
         }))
     }
 
@@ -368,7 +372,7 @@ impl Described for SlewingScene {
         }
     }
 
-    fn rope(this: &Description<SlewingScene>) -> Option<[f64; 2]> {
+    fn hangs_on(this: &Description<SlewingScene>) -> Option<[f64; 2]> {
         let Hung { g, .. } = this.given.hung;
         this.given.rope.map(|rope| [rope.l_r, g])
     }

@@ -6,7 +6,7 @@ use crate::kernel::group::{One, group};
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::Variable;
 use crate::parts::air::{AirAround, Stream, WindAtLoad};
-use crate::parts::control::{Control, Latched};
+use crate::parts::control::{Latched, SpeedControl};
 use crate::parts::hanging::HangingLoad;
 use crate::parts::joint::{Arrival, Bar};
 use crate::parts::turntable::Turning;
@@ -33,7 +33,7 @@ stages! {
         Parameter rope: Option<RopeLength<C>>,
         Parameter around: Option<AirAround<C>>,
         Input blowing: Option<WindAtLoad<C>>,
-        Parameter control: Option<Control<C>>,
+        Parameter control: Option<SpeedControl<C>>,
         Input commanded: Option<One<C>>,
         Memory past: Past<C>,
         Memory slackness: Option<Slackness<C>>,

@@ -12,22 +12,32 @@ use crate::kernel::number::short;
 use crate::kernel::variable::Fault;
 use crate::parts::solver::{Count, MOST_STEPS};
 
-/// How it is carried on.
+/// How it is carried on, where it is sampled.
 #[derive(Clone)]
-pub struct Sampled {
+struct SampledCarrier {
     between: Box<dyn Carrier>,
     clock: Clock,
     /// What a sample holds, and what that is before the first one.
     latches: Vec<(Source, f64)>,
 }
 
-impl Sampled {
+/// What carries a component on, also where it is sampled: between two samples so.
+#[must_use]
+pub fn with_samples(own: impl Carrier, model: &Standing) -> Box<dyn Carrier> {
+    let own = Box::new(own);
+    match model.part().cycle() {
+        Some(_) => Box::new(SampledCarrier::new(own, model)),
+        None => own,
+    }
+}
+
+impl SampledCarrier {
     /// By what carries a component on between two samples, none having been yet.
-    pub fn new(between: Box<dyn Carrier>, model: &Standing) -> Sampled {
+    fn new(between: Box<dyn Carrier>, model: &Standing) -> SampledCarrier {
         let part = model.part();
         let latch = |source: &&Source| part.groups()[usize::from(source.group)].1 == Use::Latch;
         let latches = model.memory().iter().filter(latch);
-        Sampled {
+        SampledCarrier {
             between,
             clock: Clock::STOPPED,
             latches: latches.map(|source| (*source, part.take(*source))).collect(),
@@ -95,7 +105,7 @@ fn changing(model: &Standing) -> Vec<(Source, f64)> {
     all.map(|source| (source, model.part().take(source))).collect()
 }
 
-impl Carrier for Sampled {
+impl Carrier for SampledCarrier {
     fn advance(&mut self, model: &mut Standing, times: [f64; 2], ramps: &[Ramp]) -> Result<(), Fault> {
         let (clock, before, own) = (self.clock, changing(model), self.between.numbers());
         self.follow_samples(model, times, ramps).inspect_err(|_| {
@@ -176,7 +186,7 @@ impl Carrier for Sampled {
 
     fn follow(&mut self, other: &dyn Carrier) {
         let other: &dyn Any = other;
-        let other: &Sampled = other.downcast_ref().expect("the same component");
+        let other: &SampledCarrier = other.downcast_ref().expect("the same component");
         self.clock = other.clock;
         self.between.follow(&*other.between);
     }

@@ -1,20 +1,26 @@
 //! What the book tells of a double link, in its order.
 
+use crate::balance;
 use crate::balance::symbols as b;
+use crate::component::description::Vocabulary;
 use crate::component::outline::Explained::{Rows, Stage};
 use crate::component::outline::{Greatest, Limit, Most, Outline, Purpose, chapters, joined};
+use crate::drive;
 use crate::drive::outline as o;
 use crate::drive::symbols as d;
+use crate::kernel::gravity;
 use crate::kernel::symbol::{Symbol, listed};
+use crate::luffing::double_link::moving;
 use crate::luffing::double_link::moving::symbols as m;
 use crate::luffing::double_link::symbols as s;
-use crate::luffing::moving::control::SETTINGS;
+use crate::luffing::moving::control::{self, SETTINGS};
 use crate::luffing::resistances::outline::{EXTREMES, LIMITS, SUMMARY, USES};
+use crate::luffing::{resistances, strength};
 use crate::parts::hydraulics::symbols as h;
-use crate::parts::turntable;
+use crate::parts::{air, ground, hanging, hydraulics, motor, shaping, teeth, turntable, turntable_control};
 
 /// What given quantities of its own are for that no formula has.
-const OWN_USES: [Purpose; 11] = [
+const OWN_USES: [Purpose; 12] = [
     ("annulus", &[&d::D_R]),
     ("start", &[&m::L_R, &m::PHI_R, &turntable::CHI_R]),
     ("hoist", &[&m::V_H, &m::A_H]),
@@ -26,6 +32,7 @@ const OWN_USES: [Purpose; 11] = [
     ("friction", listed!(turntable: C_SL, M_F_SL)),
     ("stops", listed!(turntable: PSI_MIN, PSI_MAX)),
     ("control", SETTINGS),
+    ("drum_friction", &[&m::M_F_H]),
 ];
 
 /// Of the oil, of the rope, of a load put down and of controlled drives, over a cycle of commands.
@@ -121,7 +128,7 @@ pub const OUTLINE: Outline = Outline {
         ],
         LIMITS,
     ),
-    uses: &joined::<Purpose, 11, 2, 13>(OWN_USES, USES),
+    uses: &joined::<Purpose, 12, 2, 14>(OWN_USES, USES),
     forces: &[
         &s::F_O1X,
         &s::F_O1Y,
@@ -141,4 +148,31 @@ pub const OUTLINE: Outline = Outline {
         &b::F_MY,
     ],
     worst: &[("governing", &s::M_Q_MAX), ("dM_max", &b::DM_MAX)],
+};
+
+/// Its words, and those of parts that others have too.
+pub const VOCABULARY: Vocabulary = Vocabulary {
+    words: "symbol",
+    own: &[
+        s::ALL,
+        balance::symbols::ALL,
+        drive::symbols::ALL,
+        moving::symbols::ALL,
+        crate::luffing::moving::symbols::ALL,
+        resistances::symbols::ALL,
+        motor::ALL,
+        teeth::ALL,
+        strength::symbols::ALL,
+        air::ALL,
+        ground::ALL,
+        hanging::ALL,
+        turntable::ALL,
+        turntable_control::ALL,
+        shaping::ALL,
+        control::luffing::ALL,
+        control::hoist::ALL,
+        gravity::ALL,
+        hydraulics::symbols::ALL,
+    ],
+    shared: &[],
 };

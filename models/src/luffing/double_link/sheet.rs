@@ -26,7 +26,7 @@ use crate::luffing::double_link::drawing::drawing;
 use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::keys::KEYS;
 use crate::luffing::double_link::moving;
-use crate::luffing::double_link::outline::{FOLLOWED, OUTLINE};
+use crate::luffing::double_link::outline::{FOLLOWED, OUTLINE, VOCABULARY};
 use crate::luffing::double_link::parameters::{Choice, Driven, Jib};
 use crate::luffing::double_link::pin_forces::PinForces;
 use crate::luffing::double_link::position::Position;
@@ -37,18 +37,12 @@ use crate::luffing::double_link::statics::{Centres, LoadMoment, Own};
 use crate::luffing::double_link::symbols as s;
 use crate::luffing::double_link::system::ByCentres;
 use crate::luffing::double_link::velocity::Velocity;
-use crate::luffing::moving::control;
 use crate::luffing::moving::given::Fitted;
 use crate::luffing::moving::told::motion::moved;
 use crate::luffing::moving::told::shown::running;
+use crate::luffing::resistances;
 use crate::luffing::with_balance::{WithBalance, agreement, searched};
-use crate::luffing::{resistances, strength};
 use crate::parts::motion::Motion;
-use crate::parts::motor;
-use crate::parts::shaping;
-use crate::parts::teeth;
-use crate::parts::{air, ground, hanging, hydraulics};
-use crate::parts::{turntable, turntable_control};
 
 /// What is told of a plain boom, for which jib and rocker only stand in: its balance, its drive and these.
 const OF_BOOM: [&Symbol; 10] = [
@@ -73,31 +67,7 @@ impl Described for LuffingScene {
     const TABLE: &'static str = "luffing";
     const OUTLINE: &'static Outline = &OUTLINE;
     const FOLLOWED: &'static [&'static Symbol] = FOLLOWED;
-    const VOCABULARY: &'static Vocabulary = &Vocabulary {
-        words: "symbol",
-        own: &[
-            s::ALL,
-            balance::symbols::ALL,
-            drive::symbols::ALL,
-            moving::symbols::ALL,
-            crate::luffing::moving::symbols::ALL,
-            resistances::symbols::ALL,
-            motor::ALL,
-            teeth::ALL,
-            strength::symbols::ALL,
-            air::ALL,
-            ground::ALL,
-            hanging::ALL,
-            turntable::ALL,
-            turntable_control::ALL,
-            shaping::ALL,
-            control::luffing::ALL,
-            control::hoist::ALL,
-            gravity::ALL,
-            hydraulics::symbols::ALL,
-        ],
-        shared: &[],
-    };
+    const VOCABULARY: &'static Vocabulary = &VOCABULARY;
 
     fn read(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<(LuffingScene, Motion)> {
         LuffingScene::new(v, gravity, found)
@@ -240,7 +210,7 @@ impl Described for LuffingScene {
         unused
     }
 
-    fn rope(this: &Luffing) -> Option<[f64; 2]> {
+    fn hangs_on(this: &Luffing) -> Option<[f64; 2]> {
         this.moving.as_ref()?.swings()
     }
 

@@ -38,7 +38,7 @@ use crate::luffing::double_link::resisting::{self, LinkPlaces};
 use crate::luffing::double_link::statics::{LoadMoment, Own, by_pole};
 use crate::luffing::double_link::symbols as g;
 use crate::luffing::double_link::velocity::Velocity;
-use crate::luffing::moving::control::{self, Axes, Controlled};
+use crate::luffing::moving::control::{self, ByAxis, HeldMoments};
 use crate::luffing::moving::given::{Constants, CraneStates, CylinderOil, Fitted, Inputs};
 use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::hydraulic::Modes;
@@ -69,7 +69,7 @@ use crate::luffing::strength::strut::{Slender, buckled};
 use crate::luffing::strength::teeth::{Mesh, Toothed};
 use crate::luffing::with_balance::WithBalance;
 use crate::parts::air::AirAround;
-use crate::parts::control::{Control, Latched};
+use crate::parts::control::{Latched, SpeedControl};
 use crate::parts::four_bar::FourBar;
 use crate::parts::ground::GroundBelow;
 use crate::parts::hydraulics::parts::OilParts;
@@ -103,9 +103,9 @@ stages! {
         Parameter turning: Option<Turning<C>>,
         Parameter oil: Option<CylinderOil<C>>,
         Parameter oil_parts: Option<OilParts<C>>,
-        Parameter control: Option<Axes<Control<C>>>,
-        Input commanded: Option<Axes<One<C>>>,
-        Latch latched: Option<Axes<Latched<C>>>,
+        Parameter control: Option<ByAxis<SpeedControl<C>>>,
+        Input commanded: Option<ByAxis<One<C>>>,
+        Latch latched: Option<ByAxis<Latched<C>>>,
         Memory wound: Option<One<C>>,
         Memory past: Option<Modes>,
         Load load: Option<One<C>>,
@@ -192,8 +192,8 @@ stages! {
         ) => _;
         linkage[constants]: Vec<Renewed<HeavyLinkage<C>>> = motion::linkage(parts) => _;
         built[constants]: Vec<Level<C>> = motion::built(parts, linkage) => _;
-        sampled: Axes<Latched<C>> = control::sampled(control[!], commanded[!], latched[!], theta, omega, states[!]) => _;
-        controlled: Controlled<C> = Controlled::new(latched[!]);
+        sampled: ByAxis<Latched<C>> = control::sampled(control[!], commanded[!], latched[!], theta, omega, states[!]) => _;
+        controlled: HeldMoments<C> = HeldMoments::new(latched[!]);
         commands: Inputs<C> = control::acting(inputs[!], latched) => _;
         told[constants]: Vec<Level<C>> = stages::told(built, commands) => _;
         at: CraneAt<C> = stages::at(theta, omega, states[!], wound, past[!], commands, fitted) => _;

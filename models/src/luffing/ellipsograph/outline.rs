@@ -11,11 +11,12 @@ use crate::luffing::moving::symbols as m;
 use crate::luffing::resistances::outline::{EXTREMES, LIMITS, SUMMARY, USES};
 
 /// What given quantities of its own are for that no formula has.
-const OWN_USES: [Purpose; 4] = [
+const OWN_USES: [Purpose; 5] = [
     ("annulus", &[&d::D_R]),
     ("start", &[&m::L_R, &m::PHI_R]),
     ("hoist", &[&m::V_H, &m::A_H]),
     ("control", SETTINGS),
+    ("drum_friction", &[&m::M_F_H]),
 ];
 
 pub const OUTLINE: Outline = Outline {
@@ -113,7 +114,7 @@ pub const OUTLINE: Outline = Outline {
         ],
         LIMITS,
     ),
-    uses: &joined::<Purpose, 4, 2, 6>(OWN_USES, USES),
+    uses: &joined::<Purpose, 5, 2, 7>(OWN_USES, USES),
     forces: &[
         &s::F_BX,
         &s::F_CX,

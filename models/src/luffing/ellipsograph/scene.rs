@@ -225,7 +225,7 @@ impl Described for Ellipsograph {
         told::check::<EllipsographBoom>(&this.standing(), &this.cases, v, found);
     }
 
-    fn rope(this: &Description<Self>) -> Option<[f64; 2]> {
+    fn hangs_on(this: &Description<Self>) -> Option<[f64; 2]> {
         this.moving.as_ref()?.swings()
     }
 

@@ -31,7 +31,7 @@ use crate::luffing::ellipsograph::symbols as g;
 use crate::luffing::ellipsograph::velocity::{GuidedSpeeds, GuidedTravel};
 use crate::luffing::moving::balance_in_motion::BalanceInMotion;
 use crate::luffing::moving::built::HoistParts;
-use crate::luffing::moving::control::{self, Axes, Controlled};
+use crate::luffing::moving::control::{self, ByAxis, HeldMoments};
 use crate::luffing::moving::given::{Constants, CraneStates, Fitted, Inputs};
 use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::hydraulic::Modes;
@@ -61,7 +61,7 @@ use crate::luffing::strength::strut::{Slender, buckled};
 use crate::luffing::strength::teeth::{Mesh, Toothed};
 use crate::luffing::with_balance::WithBalance;
 use crate::parts::air::AirAround;
-use crate::parts::control::{Control, Latched};
+use crate::parts::control::{Latched, SpeedControl};
 use crate::parts::four_bar::FourBar;
 use crate::parts::ground::GroundBelow;
 use crate::parts::plane::Point;
@@ -90,9 +90,9 @@ stages! {
         Parameter give: Option<RopeGive<C>>,
         Parameter around: Option<AirAround<C>>,
         Parameter ground: Option<GroundBelow<C>>,
-        Parameter control: Option<Axes<Control<C>>>,
-        Input commanded: Option<Axes<One<C>>>,
-        Latch latched: Option<Axes<Latched<C>>>,
+        Parameter control: Option<ByAxis<SpeedControl<C>>>,
+        Input commanded: Option<ByAxis<One<C>>>,
+        Latch latched: Option<ByAxis<Latched<C>>>,
         Memory wound: Option<One<C>>,
         Memory past: Option<Modes>,
         Load load: Option<One<C>>,
@@ -176,8 +176,8 @@ stages! {
         ) => _;
         boom[constants]: Vec<Renewed<Heavy<Guided, C>>> = single::heavy(parts) => _;
         built[constants]: Vec<Level<C>> = single::built(parts, boom) => _;
-        sampled: Axes<Latched<C>> = control::sampled(control[!], commanded[!], latched[!], phi, omega, states[!]) => _;
-        controlled: Controlled<C> = Controlled::new(latched[!]);
+        sampled: ByAxis<Latched<C>> = control::sampled(control[!], commanded[!], latched[!], phi, omega, states[!]) => _;
+        controlled: HeldMoments<C> = HeldMoments::new(latched[!]);
         commands: Inputs<C> = control::acting(inputs[!], latched) => _;
         told[constants]: Vec<Level<C>> = stages::told(built, commands) => _;
         at: CraneAt<C> = stages::at(phi, omega, states[!], wound, past[!], commands, fitted) => _;

@@ -10,7 +10,7 @@ use crate::kernel::group::Group;
 use crate::kernel::number::short;
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::{Fault, Role};
-use crate::luffing::moving::control::holding;
+use crate::luffing::moving::control::holding::holding;
 use crate::luffing::moving::crane::REELED_IN;
 use crate::luffing::moving::given::{CraneStates, Inputs, L_R, S_Q, STATES, V_R, order};
 use crate::luffing::moving::level::{Ahead, CraneAt, Onward};

@@ -4,13 +4,13 @@ use crate::component::part::Component;
 use crate::component::stages::Found;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
-use crate::luffing::moving::control::Axes;
+use crate::luffing::moving::control::ByAxis;
 use crate::luffing::moving::given::{Constants, CraneStates, CylinderOil, Fitted, Inputs, Slack};
 use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::hydraulic::Modes;
 use crate::luffing::moving::level::{CraneAt, Level};
 use crate::parts::air::AirAround;
-use crate::parts::control::{Control, Latched};
+use crate::parts::control::{Latched, SpeedControl};
 use crate::parts::ground::GroundBelow;
 use crate::parts::hydraulics::parts::OilParts;
 use crate::parts::motion::Motion;
@@ -30,9 +30,9 @@ pub struct MotionSources<C: Calc = f64> {
     pub turning: Option<Turning<C>>,
     pub oil: Option<CylinderOil<C>>,
     pub oil_parts: Option<OilParts<C>>,
-    pub control: Option<Axes<Control<C>>>,
-    pub commanded: Option<Axes<One<C>>>,
-    pub latched: Option<Axes<Latched<C>>>,
+    pub control: Option<ByAxis<SpeedControl<C>>>,
+    pub commanded: Option<ByAxis<One<C>>>,
+    pub latched: Option<ByAxis<Latched<C>>>,
     pub wound: Option<One<C>>,
     pub past: Option<Modes>,
     /// Of a rope that drives luffing.
@@ -104,7 +104,7 @@ pub trait Luffs: Component {
     fn put_now(known: &mut Self::Known<f64>, at: [f64; 2], states: CraneStates<f64>, past: Modes);
 
     /// Puts what controllers hold.
-    fn put_held(known: &mut Self::Known<f64>, held: Axes<Latched>);
+    fn put_held(known: &mut Self::Known<f64>, held: ByAxis<Latched>);
 
     /// Puts states and what happened before, the driven bar as it is.
     fn put_past(known: &mut Self::Known<f64>, states: CraneStates<f64>, past: Modes);
@@ -222,7 +222,7 @@ macro_rules! luffs {
 
             fn put_held(
                 known: &mut Known<f64>,
-                held: $crate::luffing::moving::control::Axes<$crate::parts::control::Latched>,
+                held: $crate::luffing::moving::control::ByAxis<$crate::parts::control::Latched>,
             ) {
                 *known.latched() = Some(held);
             }

@@ -14,7 +14,7 @@
 //! | `level`, `shares`, `powers` | what the levels have in common; what turns the driving link; what gives and takes power |
 //! | `inertia_forces`, `balance_in_motion` | weight and inertia of one body; what a balance does to its boom |
 //! | `given`, `symbols`, `listed` | inputs, states and memory as groups; quantities; which of them a scene has |
-//! | `scene`, `hoisting`, `levels` | keys of motion, of rope and hoist; what descriptions of single booms have in common |
+//! | `scene`, `hoisting`, `oil_scene`, `levels` | keys of motion, of rope and hoist, of oil; what descriptions of single booms have in common |
 //! | `stages`, `luffs` | rates, event indicators, reactions as stages; a component that has them |
 //! | `told` | what the book tells of all that |
 //! | `single` | a single boom in motion, from what a mechanism says of it |
@@ -41,6 +41,7 @@ pub mod levels;
 pub mod listed;
 pub mod luffs;
 pub mod motion;
+pub mod oil_scene;
 pub mod pendulum;
 mod powers;
 mod pulled;

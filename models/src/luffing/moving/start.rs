@@ -4,6 +4,7 @@ use std::marker::PhantomData;
 
 use nalgebra::Vector3;
 
+use crate::component::moving::sampled::with_samples;
 use crate::component::moving::{Carrier, MovingComponent};
 use crate::component::part::Runner;
 use crate::component::standing::Standing;
@@ -245,6 +246,6 @@ pub fn starting<T: Luffs>(
         put::<T>(model, &now);
         hold::<T>(model)?;
         own.update(model)?;
-        Ok(own)
+        Ok(with_samples(own, model))
     })
 }

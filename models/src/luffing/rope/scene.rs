@@ -232,7 +232,7 @@ impl Described for Rope {
         told::check::<RopeBoom>(&this.standing(), &this.cases, v, found);
     }
 
-    fn rope(this: &Description<Self>) -> Option<[f64; 2]> {
+    fn hangs_on(this: &Description<Self>) -> Option<[f64; 2]> {
         this.moving.as_ref()?.swings()
     }
 

@@ -17,7 +17,7 @@ use crate::luffing::balancing::{Balanced, Balancing};
 use crate::luffing::criteria::Criteria;
 use crate::luffing::moving::balance_in_motion::BalanceInMotion;
 use crate::luffing::moving::built::HoistParts;
-use crate::luffing::moving::control::{self, Axes, Controlled};
+use crate::luffing::moving::control::{self, ByAxis, HeldMoments};
 use crate::luffing::moving::given::{Constants, CraneStates, Fitted, Inputs, Slack};
 use crate::luffing::moving::hoisting::{HoistRamp, RopeGive};
 use crate::luffing::moving::hydraulic::Modes;
@@ -53,7 +53,7 @@ use crate::luffing::strength::pins::Sheared;
 use crate::luffing::strength::pull::{RopeRatios, Tensed};
 use crate::luffing::with_balance::WithBalance;
 use crate::parts::air::AirAround;
-use crate::parts::control::{Control, Latched};
+use crate::parts::control::{Latched, SpeedControl};
 use crate::parts::ground::GroundBelow;
 use crate::parts::plane::Point;
 
@@ -78,9 +78,9 @@ stages! {
         Parameter give: Option<RopeGive<C>>,
         Parameter around: Option<AirAround<C>>,
         Parameter ground: Option<GroundBelow<C>>,
-        Parameter control: Option<Axes<Control<C>>>,
-        Input commanded: Option<Axes<One<C>>>,
-        Latch latched: Option<Axes<Latched<C>>>,
+        Parameter control: Option<ByAxis<SpeedControl<C>>>,
+        Input commanded: Option<ByAxis<One<C>>>,
+        Latch latched: Option<ByAxis<Latched<C>>>,
         Memory wound: Option<One<C>>,
         Memory past: Option<Modes>,
         Memory slack: Option<Slack>,
@@ -146,8 +146,8 @@ stages! {
         ) => _;
         boom[constants]: Vec<Renewed<Heavy<Roped, C>>> = single::heavy(parts) => _;
         built[constants]: Vec<Level<C>> = single::built(parts, boom) => _;
-        sampled: Axes<Latched<C>> = control::sampled(control[!], commanded[!], latched[!], phi, omega, states[!]) => _;
-        controlled: Controlled<C> = Controlled::new(latched[!]);
+        sampled: ByAxis<Latched<C>> = control::sampled(control[!], commanded[!], latched[!], phi, omega, states[!]) => _;
+        controlled: HeldMoments<C> = HeldMoments::new(latched[!]);
         commands: Inputs<C> = control::acting(inputs[!], latched) => _;
         told[constants]: Vec<Level<C>> = stages::told(built, commands) => _;
         still: CraneAt<C> = stages::at(phi, omega, states[!], wound, past[!], commands, fitted) => _;

@@ -7,13 +7,11 @@ use crate::kernel::group::{One, by_map};
 use crate::kernel::number::short;
 use crate::kernel::symbol::Symbol;
 
-mod reading;
-
-pub use crate::parts::control::reading::TABLE;
+pub mod reading;
 
 /// A controlled axis: what its quantities are called.
 #[derive(Debug)]
-pub struct Axis {
+pub struct DriveAxis {
     /// K_p and K_i, cycle, ramp of the set point, greatest moment.
     pub settings: [&'static Symbol; 5],
     /// Speed asked for over the distance that is left, and the greatest one: of an axis whose place is commanded.
@@ -32,8 +30,8 @@ pub struct Axis {
 
 /// What a controller is set to.
 #[derive(Clone, Copy, Debug)]
-pub struct Control<C = f64> {
-    pub axis: &'static Axis,
+pub struct SpeedControl<C = f64> {
+    pub axis: &'static DriveAxis,
     /// Moment over the error of the speed and over the integral of it; in N·m·s and N·m of an axis that turns.
     gains: [C; 2],
     /// From sample to sample, in s.
@@ -49,18 +47,18 @@ pub struct Control<C = f64> {
 /// What it holds from one sample to the next.
 #[derive(Clone, Copy, Debug)]
 pub struct Latched<C = f64> {
-    pub axis: &'static Axis,
+    pub axis: &'static DriveAxis,
     pub set: C,
     pub integral: C,
     pub moment: C,
 }
 
-impl<C: Copy> Control<C> {
+impl<C: Copy> SpeedControl<C> {
     /// The same over another scalar.
-    pub fn map<D>(&self, f: &mut dyn FnMut(&'static Symbol, C) -> D) -> Control<D> {
+    pub fn map<D>(&self, f: &mut dyn FnMut(&'static Symbol, C) -> D) -> SpeedControl<D> {
         let [k_p, k_i, t_c, a, m_max] = self.axis.settings;
         let [first, second] = self.axis.approach;
-        Control {
+        SpeedControl {
             axis: self.axis,
             gains: [f(k_p, self.gains[0]), f(k_i, self.gains[1])],
             cycle: f(t_c, self.cycle),
@@ -84,7 +82,7 @@ impl<C: Copy> Latched<C> {
     }
 }
 
-by_map!(Control: 7);
+by_map!(SpeedControl: 7);
 by_map!(Latched: 3);
 
 /// A number no further from zero than a limit, which is not negative.
@@ -96,7 +94,7 @@ fn limited<C: Calc>(x: C, limit: C) -> C {
     }
 }
 
-impl<C: Calc> Control<C> {
+impl<C: Calc> SpeedControl<C> {
     /// v_w = sgn(e_x) min(K_x |e_x|, √(2 a |e_x|), v_max): the speed at which to go to a place.
     fn wanted(&self, [k, most]: [C; 2], commanded: C, place: C) -> C {
         let [left, wanted, ..] = self.axis.sample;
@@ -149,7 +147,7 @@ impl<C: Calc> Control<C> {
 }
 
 /// Ids of what a model takes for granted of controllers.
-pub fn taken<'a>(controls: impl Iterator<Item = &'a Control> + Clone) -> impl Iterator<Item = &'static str> {
+pub fn taken<'a>(controls: impl Iterator<Item = &'a SpeedControl> + Clone) -> impl Iterator<Item = &'static str> {
     let first = controls.clone().next().map(|_| "control");
     let to_place = controls
         .clone()
@@ -161,7 +159,7 @@ pub fn taken<'a>(controls: impl Iterator<Item = &'a Control> + Clone) -> impl It
 impl Latched {
     /// With a set point and no moment yet.
     #[must_use]
-    pub fn steady(control: &Control, set: f64) -> Latched {
+    pub fn steady(control: &SpeedControl, set: f64) -> Latched {
         Latched {
             axis: control.axis,
             set,
@@ -171,7 +169,7 @@ impl Latched {
     }
 }
 
-impl Control {
+impl SpeedControl {
     /// From sample to sample, in s.
     #[must_use]
     pub fn cycle(&self) -> f64 {

@@ -3,17 +3,21 @@
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::group::One;
 use crate::kernel::schema::Values;
-use crate::parts::control::{Axis, Control};
+use crate::parts::control::{DriveAxis, SpeedControl};
 
 /// The table of a scene whose drive has a controller, within that of the drive.
 pub const TABLE: &str = "control";
 
-impl Control {
+impl SpeedControl {
     /// The controller of a table with its command, beside the table of the drive; `None` where there is none.
     ///
     /// # Errors
     /// Two commands, an approach that is not whole, a moment beside it.
-    pub fn read(axis: &'static Axis, of: &Values, drive: &Values) -> Result<Option<(Control, One<f64>)>, Diagnostic> {
+    pub fn read(
+        axis: &'static DriveAxis,
+        of: &Values,
+        drive: &Values,
+    ) -> Result<Option<(SpeedControl, One<f64>)>, Diagnostic> {
         let Some(table) = of.table(TABLE) else {
             return Ok(None);
         };
@@ -48,7 +52,7 @@ impl Control {
         let command = if to_place { place } else { speed };
         let whole = || {
             let [k_p, k_i, cycle, ramp, limit] = axis.settings.map(|symbol| table.of(symbol));
-            let control = Control {
+            let control = SpeedControl {
                 axis,
                 gains: [k_p?, k_i?],
                 cycle: cycle?,

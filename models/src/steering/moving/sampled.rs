@@ -45,10 +45,9 @@ pub fn in_motion(this: &Steering) -> Option<Result<MovingComponent, Fault>> {
     own.given.moving = Some(own.moving?);
     own.given.moved = vec![GroupState::of(|_| Some(0.0))?; groups];
     own.given.held = vec![Sampled::of(|_| Some(0.0))?; groups];
-    Some(MovingComponent::new(
-        turning.standing(),
-        SampledBodies::<SteeredGroups, STATES>::new,
-    ))
+    Some(MovingComponent::new(turning.standing(), |model| {
+        Ok(Box::new(SampledBodies::<SteeredGroups, STATES>::new(model)?))
+    }))
 }
 
 impl BodiesInMotion<STATES> for SteeredGroups {

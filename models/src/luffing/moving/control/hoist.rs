@@ -5,7 +5,8 @@ use crate::kernel::schema::Key;
 use crate::kernel::symbol::symbols;
 use crate::luffing::moving::control::hoist as s;
 use crate::luffing::moving::symbols::M_M_H;
-use crate::parts::control::{Axis, TABLE};
+use crate::parts::control::DriveAxis;
+use crate::parts::control::reading::TABLE;
 
 symbols! {
     K_PH: "K_ph" "K_\"p h\"" N_S / KN_S [positive], "Proportional gain of the hoist controller: moment over the error of the speed.", "input";
@@ -29,7 +30,7 @@ symbols! {
     M_NH: "M_nh" "M_\"n h\"" N_M / KN_M, "Moment of the hoist motor from this sample to the next.", "derived";
 }
 
-pub static AXIS: Axis = Axis {
+pub static AXIS: DriveAxis = DriveAxis {
     settings: [&K_PH, &K_IH, &T_CH, &A_CH, &M_MAXH],
     approach: [&K_LH, &V_MAXH],
     commands: [&V_CH, &L_CH],

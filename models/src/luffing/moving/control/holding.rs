@@ -1,10 +1,10 @@
 //! What controllers hold at the start: the moments under which their axes stay at rest.
 
 use crate::kernel::variable::Fault;
-use crate::luffing::moving::control::Axes;
+use crate::luffing::moving::control::ByAxis;
 use crate::luffing::moving::given::{Fitted, OMEGA_SL, V_R, order};
 use crate::luffing::moving::level::{CraneAt, Level};
-use crate::parts::control::{Control, Latched};
+use crate::parts::control::{Latched, SpeedControl};
 use crate::parts::joint::Bar;
 
 /// The same held so far with moments (N·m) that give their axes no acceleration where the crane is, each alone, without dry
@@ -16,9 +16,9 @@ pub fn holding(
     level: &Level,
     at: &CraneAt,
     fitted: &Fitted,
-    control: &Axes<Control>,
-    held: &Axes<Latched>,
-) -> Result<Axes<Latched>, Fault> {
+    control: &ByAxis<SpeedControl>,
+    held: &ByAxis<Latched>,
+) -> Result<ByAxis<Latched>, Fault> {
     let states = order(fitted.oil, fitted.slewing.is_some());
     let rate = |place: usize| states.iter().position(|state| *state == place).map(|found| found + 2);
     let rates = [Some(1), rate(OMEGA_SL), rate(V_R)];

@@ -5,7 +5,8 @@ use crate::kernel::schema::Key;
 use crate::kernel::symbol::symbols;
 use crate::luffing::moving::control::luffing as s;
 use crate::luffing::moving::symbols::M_A;
-use crate::parts::control::{Axis, TABLE};
+use crate::parts::control::DriveAxis;
+use crate::parts::control::reading::TABLE;
 
 symbols! {
     K_P_A: "K_pA" "K_\"p A\"" N_M_S / KN_M_S [positive], "Proportional gain of the luffing controller: moment over the error of the speed.", "input";
@@ -13,23 +14,23 @@ symbols! {
     T_C_A: "T_cA" "T_\"c A\"" S / MS [from_to(1e-4, 10.0)], "Cycle of the luffing controller: time from one sample to the next.", "input";
     A_A: "a_A" "a_\"A\"" RAD_PER_S2 / RAD_PER_S2 [positive], "Greatest acceleration of the luffing controller's set point.", "input";
     M_MAX_A: "M_maxA" "M_\"max A\"" N_M / KN_M [positive], "Greatest moment of the luffing drive under its controller, by amount.", "input";
-    K_THETA_A: "K_thetaA" "K_(theta A)" PER_S / PER_S [positive], "Angular velocity of the driven bar asked for over the angle that is left to the commanded one.", "input";
+    K_THETA_A: "K_thetaA" "K_(theta A)" PER_S / PER_S [positive], "Angular velocity of the driving link asked for over the angle that is left to the commanded one.", "input";
     OMEGA_MAX_A: "omega_maxA" "omega_\"max A\"" RAD_PER_S / DEG_PER_S [positive], "Greatest angular velocity with which the controller luffs to a commanded angle.", "input";
-    OMEGA_C_A: "omega_cA" "omega_\"c A\"" RAD_PER_S / DEG_PER_S, "Commanded angular velocity of the driven bar.", "input";
-    THETA_C_A: "theta_cA" "theta_\"c A\"" RAD / DEG, "Commanded angle of the driven bar.", "input";
+    OMEGA_C_A: "omega_cA" "omega_\"c A\"" RAD_PER_S / DEG_PER_S, "Commanded angular velocity of the driving link.", "input";
+    THETA_C_A: "theta_cA" "theta_\"c A\"" RAD / DEG, "Commanded angle of the driving link.", "input";
     OMEGA_S_A: "omega_sA" "omega_\"s A\"" RAD_PER_S / DEG_PER_S, "Set point of the luffing controller since its last sample.", "derived";
     M_I_A: "M_iA" "M_\"i A\"" N_M / KN_M, "Integral part of the moment since the last sample of the luffing controller.", "derived";
     M_H_A: "M_hA" "M_\"h A\"" N_M / KN_M, "Moment that the luffing controller holds since its last sample.", "derived";
-    E_THETA_A: "e_thetaA" "e_(theta A)" RAD / DEG, "Angle that is left to the commanded angle of the driven bar at a sample.", "derived";
+    E_THETA_A: "e_thetaA" "e_(theta A)" RAD / DEG, "Angle that is left to the commanded angle of the driving link at a sample.", "derived";
     OMEGA_W_A: "omega_wA" "omega_\"w A\"" RAD_PER_S / DEG_PER_S, "Angular velocity at which luffing goes to its commanded angle: from it the set point's acceleration stops it there.", "derived";
     OMEGA_N_A: "omega_nA" "omega_\"n A\"" RAD_PER_S / DEG_PER_S, "Set point of the luffing controller from this sample to the next.", "derived";
-    E_N_A: "e_nA" "e_\"n A\"" RAD_PER_S / DEG_PER_S, "Error of the angular velocity of the driven bar at a sample.", "derived";
+    E_N_A: "e_nA" "e_\"n A\"" RAD_PER_S / DEG_PER_S, "Error of the angular velocity of the driving link at a sample.", "derived";
     M_A_A: "M_aA" "M_\"a A\"" N_M / KN_M, "Moment that the luffing controller asks for, before its limit.", "derived";
     M_IN_A: "M_inA" "M_\"i,n A\"" N_M / KN_M, "Integral part of the moment after this sample, unless the limit holds it.", "derived";
     M_N_A: "M_nA" "M_\"n A\"" N_M / KN_M, "Moment of the luffing drive from this sample to the next.", "derived";
 }
 
-pub static AXIS: Axis = Axis {
+pub static AXIS: DriveAxis = DriveAxis {
     settings: [&K_P_A, &K_I_A, &T_C_A, &A_A, &M_MAX_A],
     approach: [&K_THETA_A, &OMEGA_MAX_A],
     commands: [&OMEGA_C_A, &THETA_C_A],

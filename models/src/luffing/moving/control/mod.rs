@@ -14,29 +14,26 @@ use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::Quantity;
 use crate::luffing::moving::given::{CraneStates, Inputs, L_R, OMEGA_SL, PSI_SL, V_R};
 use crate::luffing::moving::symbols as m;
-use crate::parts::control::{Axis, Control, Latched};
-use crate::parts::turntable_control as slewing;
+use crate::parts::control::{DriveAxis, Latched, SpeedControl};
+use crate::parts::turntable_control as turning;
 
 pub mod hoist;
-mod holding;
+pub mod holding;
 pub mod luffing;
-mod reading;
-
-pub use crate::luffing::moving::control::holding::holding;
-pub use crate::luffing::moving::control::reading::Controllers;
+pub mod reading;
 
 /// Of luffing, slewing and hoist, as far as they have controllers.
 #[derive(Clone, Copy, Debug)]
-pub struct Axes<G>(pub [Option<G>; 3]);
+pub struct ByAxis<G>(pub [Option<G>; 3]);
 
 /// What they are called, in this order.
-pub static AXES: [&Axis; 3] = [&luffing::AXIS, &slewing::AXIS, &hoist::AXIS];
+pub static AXES: [&DriveAxis; 3] = [&luffing::AXIS, &turning::AXIS, &hoist::AXIS];
 
-impl<C: Calc, G: Group<C>> Group<C> for Axes<G> {
-    type Over<D: Calc> = Axes<G::Over<D>>;
+impl<C: Calc, G: Group<C>> Group<C> for ByAxis<G> {
+    type Over<D: Calc> = ByAxis<G::Over<D>>;
     const SIZE: usize = 3 * G::SIZE;
-    fn map<D: Calc>(&self, f: &mut dyn FnMut(Quantity, C) -> D) -> Axes<G::Over<D>> {
-        Axes(self.0.each_ref().map(|axis| axis.map(f)))
+    fn map<D: Calc>(&self, f: &mut dyn FnMut(Quantity, C) -> D) -> ByAxis<G::Over<D>> {
+        ByAxis(self.0.each_ref().map(|axis| axis.map(f)))
     }
     fn take(&self, place: usize) -> C {
         let (axis, place) = self.found::<C>(place);
@@ -48,7 +45,7 @@ impl<C: Calc, G: Group<C>> Group<C> for Axes<G> {
     }
 }
 
-impl<G> Axes<G> {
+impl<G> ByAxis<G> {
     /// The axis that has a place, and where that is in it.
     fn found<C: Calc>(&self, mut place: usize) -> (usize, usize)
     where
@@ -71,33 +68,33 @@ impl<G> Axes<G> {
 
 /// The cycle of the PLC that samples them, in s.
 #[must_use]
-pub fn cycle(control: &Axes<Control>) -> Option<f64> {
-    control.0.iter().flatten().map(Control::cycle).next()
+pub fn cycle(control: &ByAxis<SpeedControl>) -> Option<f64> {
+    control.0.iter().flatten().map(SpeedControl::cycle).next()
 }
 
 /// One sample of each, at the driven bar's angle (rad) and angular velocity (rad/s) and other states.
 pub fn sampled<C: Calc>(
-    control: &Axes<Control<C>>,
-    commanded: &Axes<One<C>>,
-    held: &Axes<Latched<C>>,
+    control: &ByAxis<SpeedControl<C>>,
+    commanded: &ByAxis<One<C>>,
+    held: &ByAxis<Latched<C>>,
     theta: &One<C>,
     omega: &One<C>,
     CraneStates(states): &CraneStates<C>,
-) -> Axes<Latched<C>> {
+) -> ByAxis<Latched<C>> {
     let at = [
         [theta.1, omega.1],
         [states[PSI_SL], states[OMEGA_SL]],
         [states[L_R], states[V_R]],
     ];
-    Axes(std::array::from_fn(|i| {
+    ByAxis(std::array::from_fn(|i| {
         Some(control.0[i]?.sample(&held.0[i]?, &commanded.0[i]?, at[i]))
     }))
 }
 
 /// Inputs with the moments that controllers hold.
-pub fn acting<C: Calc>(given: &Inputs<C>, held: &Option<Axes<Latched<C>>>) -> Inputs<C> {
+pub fn acting<C: Calc>(given: &Inputs<C>, held: &Option<ByAxis<Latched<C>>>) -> Inputs<C> {
     let mut inputs = *given;
-    if let Some(Axes(held)) = held {
+    if let Some(ByAxis(held)) = held {
         for (i, held) in held.iter().enumerate() {
             if let Some(held) = held {
                 inputs.drive(i).moment = held.moment;
@@ -109,7 +106,7 @@ pub fn acting<C: Calc>(given: &Inputs<C>, held: &Option<Axes<Latched<C>>>) -> In
 
 /// What they hold.
 #[derive(Clone, Copy, Debug)]
-pub struct Controlled<C>([Option<Latched<C>>; 3]);
+pub struct HeldMoments<C>([Option<Latched<C>>; 3]);
 
 /// Moment, set point and integral part of each.
 pub const HELD: [&Symbol; 9] = [
@@ -117,14 +114,14 @@ pub const HELD: [&Symbol; 9] = [
     &luffing::OMEGA_S_A,
     &luffing::M_I_A,
     &m::M_SL,
-    &slewing::OMEGA_S_SL,
-    &slewing::M_I_SL,
+    &turning::OMEGA_S_SL,
+    &turning::M_I_SL,
     &m::M_M_H,
     &hoist::V_SH,
     &hoist::M_IH,
 ];
 
-impl<C: Calc> Rows<C> for Controlled<C> {
+impl<C: Calc> Rows<C> for HeldMoments<C> {
     const ROWS: &'static [&'static Symbol] = &HELD;
     fn row(&self, row: u8, _: u16) -> Found<C> {
         let held = self.0[usize::from(row / 3)].as_ref().ok_or_else(absent)?;
@@ -132,16 +129,16 @@ impl<C: Calc> Rows<C> for Controlled<C> {
     }
 }
 
-impl<C: Calc> Controlled<C> {
-    pub fn new(held: &Axes<Latched<C>>) -> Controlled<C> {
-        Controlled(held.0)
+impl<C: Calc> HeldMoments<C> {
+    pub fn new(held: &ByAxis<Latched<C>>) -> HeldMoments<C> {
+        HeldMoments(held.0)
     }
 }
 
-impl Axes<Latched> {
+impl ByAxis<Latched> {
     /// Set points and integral parts.
     pub fn before(&self) -> impl Iterator<Item = (&'static Symbol, f64)> {
-        let Axes(held) = *self;
+        let ByAxis(held) = *self;
         held.into_iter().flatten().flat_map(|held| {
             let [set, integral, _] = held.axis.held;
             [(set, held.set), (integral, held.integral)]
@@ -157,12 +154,12 @@ pub const SETTINGS: &[&Symbol] = &[
     &luffing::M_MAX_A,
     &luffing::K_THETA_A,
     &luffing::OMEGA_MAX_A,
-    &slewing::K_I_SL,
-    &slewing::T_C_SL,
-    &slewing::A_SL,
-    &slewing::M_MAX_SL,
-    &slewing::K_PSI_SL,
-    &slewing::OMEGA_MAX_SL,
+    &turning::K_I_SL,
+    &turning::T_C_SL,
+    &turning::A_SL,
+    &turning::M_MAX_SL,
+    &turning::K_PSI_SL,
+    &turning::OMEGA_MAX_SL,
     &hoist::K_IH,
     &hoist::T_CH,
     &hoist::A_CH,

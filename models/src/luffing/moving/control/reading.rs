@@ -3,28 +3,29 @@
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::group::One;
 use crate::kernel::schema::Values;
-use crate::luffing::moving::control::{AXES, Axes};
+use crate::luffing::moving::control::{AXES, ByAxis};
 use crate::luffing::moving::given::Inputs;
-use crate::parts::control::{Control, Latched, TABLE, taken};
+use crate::parts::control::reading::TABLE;
+use crate::parts::control::{Latched, SpeedControl, taken};
 
 /// Controllers with their commands.
 #[derive(Clone, Copy, Debug)]
 pub struct Controllers {
-    pub control: Axes<Control>,
-    pub commanded: Axes<One<f64>>,
+    pub control: ByAxis<SpeedControl>,
+    pub commanded: ByAxis<One<f64>>,
 }
 
 impl Controllers {
     /// Those in the tables of luffing, slewing and hoist, each with that of its drive; `None` where there is none.
     ///
     /// # Errors
-    /// As [`Control::read`]; two cycles, as one PLC samples all drives.
+    /// As [`SpeedControl::read`]; two cycles, as one PLC samples all drives.
     pub fn read(tables: [Option<[&Values; 2]>; 3]) -> Result<Option<Controllers>, Diagnostic> {
-        let (mut control, mut commanded) = (Axes([None; 3]), Axes([None; 3]));
-        let mut first: Option<Control> = None;
+        let (mut control, mut commanded) = (ByAxis([None; 3]), ByAxis([None; 3]));
+        let mut first: Option<SpeedControl> = None;
         for (i, (axis, tables)) in AXES.into_iter().zip(tables).enumerate() {
             let Some([table, drive]) = tables else { continue };
-            let Some((own, command)) = Control::read(axis, table, drive)? else {
+            let Some((own, command)) = SpeedControl::read(axis, table, drive)? else {
                 continue;
             };
             if let Some(known) = first.filter(|known| known.cycle() != own.cycle()) {
@@ -71,9 +72,9 @@ impl Controllers {
 
     /// What they hold where nothing has happened yet, at speeds of luffing, slewing and hoist.
     #[must_use]
-    pub fn at_start(&self, speeds: [f64; 3]) -> Axes<Latched> {
-        let Axes(control) = &self.control;
-        Axes(std::array::from_fn(|i| {
+    pub fn at_start(&self, speeds: [f64; 3]) -> ByAxis<Latched> {
+        let ByAxis(control) = &self.control;
+        ByAxis(std::array::from_fn(|i| {
             Some(Latched::steady(control[i].as_ref()?, speeds[i]))
         }))
     }

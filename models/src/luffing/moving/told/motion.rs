@@ -16,7 +16,7 @@ use crate::drive::symbols as d;
 use crate::kernel::record::record;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Role;
-use crate::luffing::moving::control::Axes;
+use crate::luffing::moving::control::ByAxis;
 use crate::luffing::moving::given::{INPUTS, STATES};
 use crate::luffing::moving::hydraulic::CREEP;
 use crate::luffing::moving::luffs::Luffs;
@@ -196,7 +196,7 @@ pub(crate) fn moved<T: Shown>(luffing: &Description<T>) -> Option<Moved> {
         let held = T::Component::luffing(model.standing().of::<T::Component>().given())
             .sources
             .latched;
-        constants.extend(held.iter().flat_map(Axes::before));
+        constants.extend(held.iter().flat_map(ByAxis::before));
         Some(sample::<T>(&model))
     });
     let chapter = InMotion {
