@@ -19,6 +19,7 @@ mod rope;
 mod scene;
 mod slewing;
 mod steering;
+mod unloader;
 mod upper;
 
 use std::any::Any;
