@@ -45,6 +45,8 @@ use crate::supports::portal;
 use crate::supports::portal::scene::PortalScene;
 use crate::supports::ring;
 use crate::supports::ring::scene::RingScene;
+use crate::unloader;
+use crate::unloader::scene::UnloaderScene;
 
 pub static MECHANISMS: &[Entry] = &[
     double_link::sheet::ENTRY,
@@ -59,6 +61,7 @@ pub static MECHANISMS: &[Entry] = &[
     ring::scene::ENTRY,
     column::scene::ENTRY,
     hopper::scene::ENTRY,
+    unloader::scene::ENTRY,
 ];
 
 /// Tables of a scene that describe a mechanism.
@@ -104,6 +107,12 @@ pub const HOPPER: Key = Key::part(
     "The hopper of a crane, between its grab and a feeder.",
 );
 
+pub const GRAB_UNLOADER: Key = Key::part(
+    "grab_unloader",
+    unloader::scene::KEYS,
+    "A grab unloader with a rope trolley: ropes, drums, motors, cycle.",
+);
+
 /// Parts of a crane that may stand beside its mechanism, at the top of the scene, as well as within it.
 pub const PARTS: [Key; 5] = [
     balance::scene::BALANCE,
@@ -115,7 +124,8 @@ pub const PARTS: [Key; 5] = [
 
 /// The scene's tables that a mechanism may stand in; what may be a part of another one comes last.
 pub fn tables() -> impl Iterator<Item = &'static str> {
-    [LUFFING.name, STEERING.name, SUPPORTS.name, HOPPER.name, PARTS[3].name].into_iter()
+    let whole = [LUFFING, STEERING, SUPPORTS, HOPPER, GRAB_UNLOADER];
+    whole.into_iter().chain([PARTS[3]]).map(|key| key.name)
 }
 
 /// Those of these tables that describe the mechanism of a scene: a part of a crane does where it stands alone.
@@ -167,6 +177,7 @@ static TELLERS: &[Teller] = &[
     teller::<RingScene>(),
     teller::<ColumnScene>(),
     teller::<HopperScene>(),
+    teller::<UnloaderScene>(),
 ];
 
 /// The symbols of every mechanism, by its id.

@@ -15,9 +15,10 @@ use lemnis_models::registry;
 use lemnis_models::slewing;
 use lemnis_models::steering;
 use lemnis_models::supports::{column, drive as drive_of_supports, mobile, portal, ring, upper};
+use lemnis_models::unloader;
 
 /// Every mechanism with its table.
-const TABLES: [(&str, &[&Symbol]); 32] = [
+const TABLES: [(&str, &[&Symbol]); 33] = [
     ("The double-link luffing mechanism", double_link::symbols::ALL),
     (
         "The double-link luffing mechanism in motion",
@@ -62,6 +63,10 @@ const TABLES: [(&str, &[&Symbol]); 32] = [
     ("A slewing ring", ring::symbols::ALL),
     ("A column in three bearings", column::symbols::ALL),
     ("The hopper of a crane", hopper::symbols::ALL),
+    (
+        "A grab unloader: speeds and forces of the trolley to the sea side, of the grab upward",
+        unloader::symbols::ALL,
+    ),
     ("Gravity", gravity::ALL),
     ("The balance of the boom system", balance::symbols::ALL),
     ("Screw, pinion or crank of a drive", drive::symbols::ALL),

@@ -20,6 +20,7 @@ mod rope;
 mod scene;
 mod slewing;
 mod steering;
+mod unloader;
 mod upper;
 
 use std::any::Any;

@@ -161,6 +161,7 @@ units! {
     KN_PER_M    = "kN/m"     "kN/m"    [0 1 -2 0]    1e3;
     N_S_PER_M   = "N.s/m"    "N·s/m"   [0 1 -1 0]    1.0;
     KN_S_PER_M  = "kN.s/m"   "kN·s/m"  [0 1 -1 0]    1e3;
+    S_PER_M     = "s/m"      "s/m"     [-1 0 1 0]    1.0;
     KG_PER_S    = "kg/s"     "kg/s"    [0 1 -1 0]    1.0;
     T_PER_H     = "t/h"      "t/h"     [0 1 -1 0]    1e3 / 3600.0;
     L_PER_MIN   = "L/min"    "L/min"   [3 0 -1 0]    1e-3 / 60.0;
@@ -218,6 +219,7 @@ impl Unit {
             (d, _) if d == PER_M.dimension => ("InverseLength", [1e-9, 1e6]),
             (d, _) if d == KG_PER_M3.dimension => ("Density", [1e-9, 1e6]),
             (d, _) if d == M2_PER_KG.dimension => ("SpecificArea", [1e-9, 1e3]),
+            (d, _) if d == S_PER_M.dimension => ("InverseVelocity", [1e-9, 1e6]),
             _ => ("Ratio", [1e-9, 1e6]),
         }
     }

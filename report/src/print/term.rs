@@ -213,6 +213,7 @@ fn unary(op: Op, inner: Term) -> Term {
         Op::Acos => function("arccos", inner.whole()),
         Op::Abs => function("abs", inner),
         Op::Square => power(Term { minus: false, ..inner }, 2),
+        Op::Power([above, 1]) => power(inner, above.into()),
         Op::Power([above, below]) => {
             let inner = inner.whole().within(Level::Atom);
             Term::product(false, format!("{}^({above}\\/{below})", inner.text), inner.width + 2.0)
