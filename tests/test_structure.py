@@ -149,7 +149,7 @@ FLOORS = [
     ["parts"],
     ["component"],
     ["balance", "drive"],
-    ["luffing", "slewing", "steering", "supports", "hopper"],
+    ["luffing", "slewing", "steering", "supports", "hopper", "afloat"],
     ["registry", "book", "vary"],
     ["reading", "request", "study"],
     ["scene"],

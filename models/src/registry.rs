@@ -3,6 +3,8 @@
 use std::any::Any;
 use std::collections::BTreeSet;
 
+use crate::afloat;
+use crate::afloat::scene::AfloatScene;
 use crate::balance;
 use crate::balance::task::Search;
 use crate::component::dependencies::{dependencies as traced, recorded};
@@ -59,6 +61,7 @@ pub static MECHANISMS: &[Entry] = &[
     ring::scene::ENTRY,
     column::scene::ENTRY,
     hopper::scene::ENTRY,
+    afloat::scene::ENTRY,
 ];
 
 /// Tables of a scene that describe a mechanism.
@@ -104,6 +107,8 @@ pub const HOPPER: Key = Key::part(
     "The hopper of a crane, between its grab and a feeder.",
 );
 
+pub const HULL: Key = Key::part("hull", afloat::scene::KEYS, "The hull on which a crane floats.");
+
 /// Parts of a crane that may stand beside its mechanism, at the top of the scene, as well as within it.
 pub const PARTS: [Key; 5] = [
     balance::scene::BALANCE,
@@ -115,7 +120,15 @@ pub const PARTS: [Key; 5] = [
 
 /// The scene's tables that a mechanism may stand in; what may be a part of another one comes last.
 pub fn tables() -> impl Iterator<Item = &'static str> {
-    [LUFFING.name, STEERING.name, SUPPORTS.name, HOPPER.name, PARTS[3].name].into_iter()
+    [
+        LUFFING.name,
+        STEERING.name,
+        SUPPORTS.name,
+        HOPPER.name,
+        HULL.name,
+        PARTS[3].name,
+    ]
+    .into_iter()
 }
 
 /// Those of these tables that describe the mechanism of a scene: a part of a crane does where it stands alone.
@@ -167,6 +180,7 @@ static TELLERS: &[Teller] = &[
     teller::<RingScene>(),
     teller::<ColumnScene>(),
     teller::<HopperScene>(),
+    teller::<AfloatScene>(),
 ];
 
 /// The symbols of every mechanism, by its id.

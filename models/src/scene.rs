@@ -68,6 +68,7 @@ pub static KEYS: &[Key] = &[
     registry::STEERING,
     registry::SUPPORTS,
     registry::HOPPER,
+    registry::HULL,
     registry::PARTS[0],
     registry::PARTS[1],
     registry::PARTS[2],

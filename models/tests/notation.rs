@@ -3,6 +3,7 @@
 
 use std::fmt::Write as _;
 
+use lemnis_models::afloat;
 use lemnis_models::balance;
 use lemnis_models::drive;
 use lemnis_models::hopper;
@@ -17,7 +18,7 @@ use lemnis_models::steering;
 use lemnis_models::supports::{column, drive as drive_of_supports, mobile, portal, ring, upper};
 
 /// Every mechanism with its table.
-const TABLES: [(&str, &[&Symbol]); 30] = [
+const TABLES: [(&str, &[&Symbol]); 31] = [
     ("The double-link luffing mechanism", double_link::symbols::ALL),
     (
         "The double-link luffing mechanism in motion",
@@ -57,6 +58,7 @@ const TABLES: [(&str, &[&Symbol]); 30] = [
     ("A slewing ring", ring::symbols::ALL),
     ("A column in three bearings", column::symbols::ALL),
     ("The hopper of a crane", hopper::symbols::ALL),
+    ("A crane on a hull that floats", afloat::symbols::ALL),
     ("Gravity", gravity::ALL),
     ("The balance of the boom system", balance::symbols::ALL),
     ("Screw, pinion or crank of a drive", drive::symbols::ALL),

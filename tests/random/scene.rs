@@ -13,7 +13,9 @@ use lemnis_models::registry::{self, MECHANISMS};
 use lemnis_models::scene::KEYS;
 use toml::{Table, Value};
 
-use crate::{column, curved_trunk, ellipsograph, hopper, luffing, mobile, portal, ring, rope, slewing, steering};
+use crate::{
+    afloat, column, curved_trunk, ellipsograph, hopper, luffing, mobile, portal, ring, rope, slewing, steering,
+};
 
 /// What a mechanism adds: a legal table, one that lies on an edge, and a result that every level has.
 struct Maker {
@@ -79,6 +81,11 @@ fn maker(mechanism: &str) -> Option<Maker> {
             legal: hopper::legal,
             edge: hopper::edge,
             result: hopper::RESULT,
+        }),
+        "hull" => Some(Maker {
+            legal: afloat::legal,
+            edge: afloat::edge,
+            result: afloat::RESULT,
         }),
         _ => None,
     }
