@@ -26,57 +26,8 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     let deep = 0.5 * size;
     // Displacement of a draft of a fifth of the size.
     let weight = density * g * long * broad * 0.2 * size;
-    n.remove(&["sections"]);
-    if n.draw.coin(0.3) {
-        n.remove(&["L", "B", "D"]);
-        let count = n.draw.rng.usize(2..6);
-        list(&mut n, "sections", count, &mut |draw, i| {
-            let x = long * (i as f64 / (count - 1) as f64 - 0.5);
-            let mut point = |y: f64, z: f64| {
-                let [y, z] = [(&s::Y_H, y), (&s::Z_H, z)].map(|(symbol, value)| draw.written(symbol, value).0);
-                Value::from(format!("{y}, {z}"))
-            };
-            let points = vec![
-                point(0.0, 0.0),
-                point(0.5 * broad, 0.0),
-                point(0.5 * broad, 0.5 * deep),
-                point(0.5 * broad, deep),
-            ];
-            let x = draw.written(&s::X_H, x).0;
-            Value::Table(Table::from_iter([
-                ("x_h".to_owned(), x.into()),
-                ("points".to_owned(), points.into()),
-            ]))
-        });
-    } else {
-        for (name, value) in [("L", long), ("B", broad), ("D", deep)] {
-            n.keep(name, true);
-            n.set(name, value);
-        }
-    }
-    let bodies = n.draw.rng.usize(1..4);
-    list(&mut n, "masses", bodies, &mut |draw, _| {
-        let own = weight / bodies as f64 * draw.between(0.8, 1.0);
-        let [x, y] = [0, 1].map(|_| size * draw.between(-0.01, 0.01));
-        let high = size * draw.between(0.0, 0.2);
-        row(draw, &[(&s::G_M, own), (&s::X_M, x), (&s::Y_M, y), (&s::Z_M, high)])
-    });
-    let tanks = n.draw.rng.usize(0..2);
-    list(&mut n, "tanks", tanks, &mut |draw, _| {
-        let of = |part: f64| part * size;
-        let filled = draw.between(0.02, 0.18);
-        row(
-            draw,
-            &[
-                (&s::RHO_T, density),
-                (&s::L_T, of(0.2)),
-                (&s::B_T, of(0.2)),
-                (&s::D_T, of(0.2)),
-                (&s::H_T, of(filled)),
-                (&s::X_T, 0.0),
-            ],
-        )
-    });
+    shape(&mut n, [long, broad, deep]);
+    weights(&mut n, weight, density);
     let (load, reach) = (n.draw.between(0.0, 0.01), n.draw.between(0.0, 0.5));
     n.set("Q", weight * load);
     n.set("R", size * reach);
@@ -115,6 +66,66 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     }
     working_range(&mut n, [-PI, PI]);
     table
+}
+
+/// A box, or the sections of one, of a length, a breadth and a depth.
+fn shape(n: &mut Node, [long, broad, deep]: [f64; 3]) {
+    n.remove(&["sections"]);
+    if n.draw.coin(0.3) {
+        n.remove(&["L", "B", "D"]);
+        let count = n.draw.rng.usize(2..6);
+        list(n, "sections", count, &mut |draw, i| {
+            let x = long * (i as f64 / (count - 1) as f64 - 0.5);
+            let mut point = |y: f64, z: f64| {
+                let [y, z] = [(&s::Y_H, y), (&s::Z_H, z)].map(|(symbol, value)| draw.written(symbol, value).0);
+                Value::from(format!("{y}, {z}"))
+            };
+            let points = vec![
+                point(0.0, 0.0),
+                point(0.5 * broad, 0.0),
+                point(0.5 * broad, 0.5 * deep),
+                point(0.5 * broad, deep),
+            ];
+            let x = draw.written(&s::X_H, x).0;
+            Value::Table(Table::from_iter([
+                ("x_h".to_owned(), x.into()),
+                ("points".to_owned(), points.into()),
+            ]))
+        });
+    } else {
+        for (name, value) in [("L", long), ("B", broad), ("D", deep)] {
+            n.keep(name, true);
+            n.set(name, value);
+        }
+    }
+}
+
+/// Masses of nearly a weight, and at most one tank with a liquid of a density.
+fn weights(n: &mut Node, weight: f64, density: f64) {
+    let size = n.draw.scale[0];
+    let bodies = n.draw.rng.usize(1..4);
+    list(n, "masses", bodies, &mut |draw, _| {
+        let own = weight / bodies as f64 * draw.between(0.8, 1.0);
+        let [x, y] = [0, 1].map(|_| size * draw.between(-0.01, 0.01));
+        let high = size * draw.between(0.0, 0.2);
+        row(draw, &[(&s::G_M, own), (&s::X_M, x), (&s::Y_M, y), (&s::Z_M, high)])
+    });
+    let tanks = n.draw.rng.usize(0..2);
+    list(n, "tanks", tanks, &mut |draw, _| {
+        let of = |part: f64| part * size;
+        let filled = draw.between(0.02, 0.18);
+        row(
+            draw,
+            &[
+                (&s::RHO_T, density),
+                (&s::L_T, of(0.2)),
+                (&s::B_T, of(0.2)),
+                (&s::D_T, of(0.2)),
+                (&s::H_T, of(filled)),
+                (&s::X_T, 0.0),
+            ],
+        )
+    });
 }
 
 /// Next to what cannot be: a load that capsizes, a hull that sinks, weights too high, a tank filled to its top, no areas.
