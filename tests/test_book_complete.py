@@ -99,9 +99,9 @@ def test_every_symbol_of_a_formula_has_its_origin(scene, level, tmp_path):
     for caption in ["States and commands at the instant", "Constants of the equations", "Energy", "Envelope of forces",
                     "What the formulas take from places and bodies"]:
         known |= tabled(text, caption)
-    # Points of the ring's curves, loads by strength, and forces in pins stand in tables of their own; others are read off a
+    # Points of the ring's curves, loads by strength, forces in pins and heels of levers stand in tables of their own; others are read off a
     # load chart.
-    known |= set(re.findall(r"column-head\[\$(\S*\(c i\)|Q_s|F_\(p k\))\$\]", text))
+    known |= set(re.findall(r"column-head\[\$(\S*\(c i\)|Q_s|F_\(p k\)|phi_\(h i\))\$\]", text))
     known |= {'Q_"ch"'} if re.search(r"(?m)^= \d+ Load chart$", text) else set()
     for result, formula in formulas(text):
         nowhere = symbols(formula, notation)[0] - known

@@ -82,4 +82,4 @@ def test_publications_are_cited_and_listed():
     listed = tomllib.loads((ROOT / "templates/references.toml").read_text(encoding="utf-8"))
     paths = [*(ROOT / "models/src").rglob("*.rs"), *(ROOT / "models/scenes").glob("*.toml"), *(ROOT / "templates/words/en").glob("*.toml")]
     sources = "".join(path.read_text(encoding="utf-8") for path in paths)
-    assert set(re.findall(r"\[([A-Z][A-Za-z]+\d{3,4}|ISO \d+(?:-\d)?|Rothe Erde)\b", sources)) == set(listed)
+    assert set(re.findall(r"\[([A-Z][A-Za-z]+\d{3,4}|ISO \d+(?:-\d)?|Rothe Erde|46 CFR 173|IS Code 2008)\b", sources)) == set(listed)

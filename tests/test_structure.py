@@ -149,7 +149,7 @@ FLOORS = [
     ["parts"],
     ["component"],
     ["balance", "drive"],
-    ["luffing", "slewing", "steering", "supports", "hopper", "unloader"],
+    ["luffing", "slewing", "steering", "supports", "hopper", "unloader", "afloat"],
     ["registry", "book", "vary"],
     ["reading", "request", "study"],
     ["scene"],

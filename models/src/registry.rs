@@ -3,6 +3,8 @@
 use std::any::Any;
 use std::collections::BTreeSet;
 
+use crate::afloat;
+use crate::afloat::scene::AfloatScene;
 use crate::balance;
 use crate::balance::task::Search;
 use crate::component::dependencies::{dependencies as traced, recorded};
@@ -62,6 +64,7 @@ pub static MECHANISMS: &[Entry] = &[
     column::scene::ENTRY,
     hopper::scene::ENTRY,
     unloader::scene::ENTRY,
+    afloat::scene::ENTRY,
 ];
 
 /// Tables of a scene that describe a mechanism.
@@ -113,6 +116,8 @@ pub const GRAB_UNLOADER: Key = Key::part(
     "A grab unloader with a rope trolley: ropes, drums, motors, cycle.",
 );
 
+pub const HULL: Key = Key::part("hull", afloat::scene::KEYS, "The hull on which a crane floats.");
+
 /// Parts of a crane that may stand beside its mechanism, at the top of the scene, as well as within it.
 pub const PARTS: [Key; 5] = [
     balance::scene::BALANCE,
@@ -124,7 +129,7 @@ pub const PARTS: [Key; 5] = [
 
 /// The scene's tables that a mechanism may stand in; what may be a part of another one comes last.
 pub fn tables() -> impl Iterator<Item = &'static str> {
-    let whole = [LUFFING, STEERING, SUPPORTS, HOPPER, GRAB_UNLOADER];
+    let whole = [LUFFING, STEERING, SUPPORTS, HOPPER, GRAB_UNLOADER, HULL];
     whole.into_iter().chain([PARTS[3]]).map(|key| key.name)
 }
 
@@ -178,6 +183,7 @@ static TELLERS: &[Teller] = &[
     teller::<ColumnScene>(),
     teller::<HopperScene>(),
     teller::<UnloaderScene>(),
+    teller::<AfloatScene>(),
 ];
 
 /// The symbols of every mechanism, by its id.

@@ -3,6 +3,7 @@
 
 use std::fmt::Write as _;
 
+use lemnis_models::afloat;
 use lemnis_models::balance;
 use lemnis_models::drive;
 use lemnis_models::hopper;
@@ -18,7 +19,7 @@ use lemnis_models::supports::{column, drive as drive_of_supports, mobile, portal
 use lemnis_models::unloader;
 
 /// Every mechanism with its table.
-const TABLES: [(&str, &[&Symbol]); 33] = [
+const TABLES: [(&str, &[&Symbol]); 34] = [
     ("The double-link luffing mechanism", double_link::symbols::ALL),
     (
         "The double-link luffing mechanism in motion",
@@ -67,6 +68,7 @@ const TABLES: [(&str, &[&Symbol]); 33] = [
         "A grab unloader: speeds and forces of the trolley to the sea side, of the grab upward",
         unloader::symbols::ALL,
     ),
+    ("A crane on a hull that floats", afloat::symbols::ALL),
     ("Gravity", gravity::ALL),
     ("The balance of the boom system", balance::symbols::ALL),
     ("Screw, pinion or crank of a drive", drive::symbols::ALL),

@@ -4,6 +4,7 @@
 //! `LEMNIS_SCENES=100000 cargo test --release --workspace --test random_scenes -- --nocapture` takes more of them and
 //! tells what was refused; `LEMNIS_SEED` begins another series, `LEMNIS_SCENE` takes one scene of it and prints it.
 
+mod afloat;
 mod bodies;
 mod cases;
 mod column;

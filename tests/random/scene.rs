@@ -14,7 +14,8 @@ use lemnis_models::scene::KEYS;
 use toml::{Table, Value};
 
 use crate::{
-    column, curved_trunk, ellipsograph, hopper, luffing, mobile, portal, ring, rope, slewing, steering, unloader,
+    afloat, column, curved_trunk, ellipsograph, hopper, luffing, mobile, portal, ring, rope, slewing, steering,
+    unloader,
 };
 
 /// What a mechanism adds: a legal table, one that lies on an edge, and a result that every level has.
@@ -86,6 +87,11 @@ fn maker(mechanism: &str) -> Option<Maker> {
             legal: unloader::legal,
             edge: unloader::edge,
             result: unloader::RESULT,
+        }),
+        "hull" => Some(Maker {
+            legal: afloat::legal,
+            edge: afloat::edge,
+            result: afloat::RESULT,
         }),
         _ => None,
     }

@@ -9,6 +9,7 @@ pub mod diagram;
 pub mod draw;
 pub mod drawing;
 pub mod extreme;
+pub mod found;
 pub mod governing;
 pub mod judged;
 mod leaving_out;

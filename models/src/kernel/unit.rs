@@ -108,9 +108,12 @@ units! {
     CM          = "cm"       "cm"      [1 0 0 0]     1e-2;
     KM          = "km"       "km"      [1 0 0 0]     1e3;
     M2          = "m2"       "m²"      [2 0 0 0]     1.0;
+    M4          = "m4"       "m⁴"      [4 0 0 0]     1.0;
     RAD         = "rad"      "rad"     [0 0 0 1]     1.0;
     DEG         = "deg"      "°"       [0 0 0 1]     DEGREE;
     S           = "s"        "s"       [0 0 1 0]     1.0;
+    M_RAD       = "m.rad"    "m·rad"   [1 0 0 1]     1.0;
+    M_DEG       = "m.deg"    "m·°"     [1 0 0 1]     DEGREE;
     RAD_S       = "rad.s"    "rad·s"   [0 0 1 1]     1.0;
     MS          = "ms"       "ms"      [0 0 1 0]     1e-3;
     MIN         = "min"      "min"     [0 0 1 0]     60.0;
@@ -191,6 +194,8 @@ impl Unit {
     fn measured(&self) -> (&'static str, [f64; 2]) {
         match (self.dimension, self.rad) {
             (d, 0) if d == M.dimension => ("Length", [1e-4, 1e6]),
+            (d, 1) if d == M.dimension => ("LeverAngle", [1e-9 * DEGREE, 1e6]),
+            (d, _) if d == M4.dimension => ("SecondMomentOfArea", [1e-16, 1e24]),
             (d, _) if d == M2.dimension => ("Area", [1e-8, 1e12]),
             (d, 1) if d == RAD.dimension => ("Angle", [1e-9 * DEGREE, 1e6 * DEGREE]),
             (d, _) if d == M3.dimension => ("Volume", [1e-12, 1e9]),
@@ -237,6 +242,7 @@ pub fn find(text: &str) -> Option<&'static Unit> {
     let plain = text
         .replace(['·', '*', ' '], ".")
         .replace('°', "deg")
+        .replace('⁴', "4")
         .replace('³', "3")
         .replace('²', "2");
     ALL.iter().copied().find(|unit| unit.name == plain)

@@ -65,7 +65,12 @@ pub fn step(
         defined,
     });
     let [symbols, numbers] = forms.map(|print| term(print, false, step.formula).whole());
-    let found = matches!(trace.node(step.formula), Node::Constant(_));
+    // What was found by numbers stands for itself.
+    let found = match trace.node(step.formula) {
+        Node::Constant(_) => true,
+        Node::Name(symbol) => symbol == step.symbol,
+        _ => false,
+    };
     let repeats = found || !in_full || numbers.text == result.text || !is_arithmetic(trace, step.formula);
     let after = JUDGED * judged as f64;
     let line = name + symbols.width + result.width + after + 3.0 + if repeats { 0.0 } else { numbers.width + 3.0 };

@@ -1,0 +1,131 @@
+//! The shape of the hull and of its tanks.
+
+use std::sync::Arc;
+
+use crate::afloat::symbols as s;
+use crate::afloat::weights::TankGiven;
+use crate::kernel::calc::Calc;
+use crate::kernel::group::{One, group, quantities};
+use crate::kernel::variable::Fault;
+use crate::parts::solid::{Solid, TriangleMesh};
+
+quantities! {
+    /// A hull that is a box, around the origin.
+    BoxHull { l: L, b: B, d: D }
+}
+
+/// The sections of a hull: corners and faces, and the deck's edge on the left by its corners, from the stern to the bow.
+#[derive(Clone, Debug)]
+pub struct Offsets {
+    pub mesh: Arc<TriangleMesh>,
+    /// Points of a section on one side.
+    pub half: usize,
+}
+group!(Offsets);
+
+/// A tank: its walls, weight of its liquid for a volume (N/m³), volume of the liquid (m³), and its centre (m), the hull upright.
+#[derive(Clone, Debug)]
+pub struct BallastTank<C> {
+    pub walls: Solid<C>,
+    pub weight: C,
+    pub volume: C,
+    pub centre: [C; 3],
+}
+
+/// Hull and tanks, and the weight of the water for a volume, in N/m³.
+#[derive(Clone, Debug)]
+pub struct Floating<C> {
+    pub hull: Solid<C>,
+    pub tanks: Vec<BallastTank<C>>,
+    pub water: C,
+    /// Points of a section on one side, where it has sections.
+    half: usize,
+}
+
+impl<C: Calc> Floating<C> {
+    pub fn new(
+        built: &Option<BoxHull<C>>,
+        offsets: &Option<Offsets>,
+        tanks: &[TankGiven<C>],
+        density: &One<C>,
+        gravity: &One<C>,
+    ) -> Result<Floating<C>, Fault> {
+        let zero = C::constant(0.0);
+        let hull = match (built, offsets) {
+            (Some(hull), _) => Solid::cuboid([zero; 3], [hull.l, hull.b, hull.d]),
+            (_, Some(offsets)) => Solid::Mesh(offsets.mesh.clone()),
+            _ => return Err(Fault::new("a hull is a box or has sections")),
+        };
+        let tank = |tank: &TankGiven<C>| {
+            let half = tank.h_t / C::constant(2.0);
+            let volume = tank.l_t * tank.b_t * tank.h_t;
+            BallastTank {
+                walls: Solid::cuboid([tank.x_t, tank.y_t, tank.z_t], [tank.l_t, tank.b_t, tank.d_t]),
+                weight: tank.rho_t * **gravity,
+                volume,
+                centre: [tank.x_t, tank.y_t, tank.z_t + half],
+            }
+        };
+        Ok(Floating {
+            hull,
+            tanks: tanks.iter().map(tank).collect(),
+            water: **density * **gravity,
+            half: offsets.as_ref().map_or(0, |offsets| offsets.half),
+        })
+    }
+
+    /// The same over another scalar.
+    #[inline(never)]
+    pub fn map<D>(&self, f: &mut dyn FnMut(C) -> D) -> Floating<D> {
+        Floating {
+            hull: self.hull.map(f),
+            tanks: (self.tanks.iter())
+                .map(|tank| BallastTank {
+                    walls: tank.walls.map(f),
+                    weight: f(tank.weight),
+                    volume: f(tank.volume),
+                    centre: tank.centre.map(&mut *f),
+                })
+                .collect(),
+            water: f(self.water),
+            half: self.half,
+        }
+    }
+
+    /// Points of the deck's edge on the left, from stern to bow, in m.
+    #[inline(never)]
+    pub fn deck(&self) -> Vec<[C; 3]> {
+        match &self.hull {
+            Solid::Box(points) => vec![points[6], points[7]],
+            Solid::Mesh(mesh) => (mesh.points.chunks(2 * self.half))
+                .map(|section| section[self.half - 1].map(C::constant))
+                .collect(),
+        }
+    }
+
+    /// Of each section the upright part of its side at a draft (m): half breadth, lower and upper end; where the side is not
+    /// upright both ends are the draft.
+    #[inline(never)]
+    pub fn sides(&self, draft: C) -> Vec<[C; 3]> {
+        match &self.hull {
+            Solid::Box(points) => vec![[points[7][1], points[3][2], points[7][2]]],
+            Solid::Mesh(mesh) => {
+                let side = |section: &[[f64; 3]]| {
+                    let side = &section[..self.half];
+                    let above = side.partition_point(|point| point[2] < draft.value());
+                    let y = side.get(above)?[1];
+                    if above == 0 {
+                        return None;
+                    }
+                    let upright = |point: &&[f64; 3]| point[1] == y;
+                    let below = side[..above].iter().rev().take_while(upright).last();
+                    let top = side[above..].iter().take_while(upright).last();
+                    let ends = below.zip(top).map(|(below, top)| [below[2], top[2]].map(C::constant));
+                    let [low, high] = ends.unwrap_or([draft; 2]);
+                    Some([C::constant(y), low, high])
+                };
+                mesh.points.chunks(2 * self.half).filter_map(side).collect()
+            }
+        }
+    }
+}

@@ -1,0 +1,37 @@
+//! A crane on a hull that floats: how it lies under its load, its righting levers, and what a loss of load does.
+//! [Ports001, 7.3]
+//!
+//! ```text
+//!   seen from the bow:            seen from above:
+//!                 o  load              left (y)
+//!                /                  +-----------------\
+//!        _______/________           |      o  psi      \  bow (x)
+//!   ~~~~|        G       |~~~~      |                  /
+//!       |________B_______|          +-----------------/
+//! ```
+//!
+//! The origin lies at the keel; x forward, y to the left, z up. Heel is positive where the left side goes down, trim where the
+//! bow does. A moment has the sign of the coordinate at which its weights stand: `M_T = Σ G y`, `M_L = Σ G x`.
+//!
+//! | id | function | source |
+//! |---|---|---|
+//! | `afloat.weights` | [`weights::DeadLoad::new`], [`weights::Loaded::new`] | equilibrium; IS Code 2008, B 2.9 |
+//! | `afloat.cut` | [`Solid::cut`](crate::parts::solid::Solid::cut) | Gauss' theorem |
+//! | `afloat.upright` | [`upright::Upright::new`], [`upright::SmallAngles::new`] | Ports001, 7.3 |
+//! | `afloat.rest` | [`rest::rest`], [`posture::Posture::new`] | equilibrium |
+//! | `afloat.levers` | [`levers::levers`] | potential energy; Ports001, 7.3: wall-sided form |
+//! | `afloat.loss` | [`loss::residual`], [`loss::LoadLost::new`] | 46 CFR 173, 173.020 and 173.025 |
+//! | `afloat.gust` | [`gust::Gust::new`] | Ports001, 7.3: dynamic lever |
+
+pub mod gust;
+pub mod hull;
+pub mod levers;
+pub mod loss;
+mod outline;
+pub mod posture;
+pub mod rest;
+pub mod scene;
+pub mod stages;
+pub mod symbols;
+pub mod upright;
+pub mod weights;

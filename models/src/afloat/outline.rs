@@ -1,0 +1,64 @@
+//! What the book tells of a floating crane, in its order.
+
+use crate::afloat::symbols as s;
+use crate::component::outline::Explained::Stage;
+use crate::component::outline::{Greatest, Limit, Most, Outline, SectionOutline, chapters};
+use crate::kernel::symbol::listed;
+
+/// Levers at heels, of which the book tells one with its formulas and all in a table.
+pub const LEVERS: &[SectionOutline] = &[("afloat_levers", &[Stage("levers")])];
+
+pub const OUTLINE: Outline = Outline {
+    inputs: chapters!(
+        afloat_hull "", afloat_sections "sections", afloat_masses "masses", afloat_tanks "tanks", load "Q", load "R",
+        afloat_crane "pedestal", afloat_wind "wind", afloat_areas "wind.areas", afloat_loss "loss", afloat_gust "gust", motion, limits
+    ),
+    constants: &[("afloat_weights", &[Stage("dead")])],
+    sections: &[
+        ("afloat_load", &[Stage("loaded")]),
+        ("afloat_upright", &[Stage("upright")]),
+        ("afloat_small", &[Stage("small")]),
+        ("afloat_posture", &[Stage("posture")]),
+        ("afloat_residual", &[Stage("residual")]),
+        ("afloat_lost", &[Stage("lost")]),
+        ("afloat_gust", &[Stage("struck")]),
+    ],
+    table: listed!(s: PHI, THETA, T, F_LOW, PHI_M, THETA_M, PHI_2, PHI_DYN),
+    curves: &[
+        ("afloat_heel", None, &s::PHI),
+        ("afloat_trim", None, &s::THETA),
+        ("afloat_freeboard", None, &s::F_LOW),
+    ],
+    extremes: &[
+        Greatest::new(&s::PHI_MAX, Most::Amount, &s::PHI),
+        Greatest::new(&s::THETA_MAX, Most::Amount, &s::THETA),
+        Greatest::new(&s::BETA_MAX, Most::Greatest, &s::BETA),
+        Greatest::new(&s::F_MIN, Most::Least, &s::F_LOW),
+        Greatest::new(&s::A_RES_MIN, Most::Least, &s::A_RES),
+        Greatest::new(&s::PHI_2_MAX, Most::Amount, &s::PHI_2),
+        Greatest::new(&s::D_A_MIN, Most::Least, &s::D_A),
+        Greatest::new(&s::PHI_DYN_MAX, Most::Amount, &s::PHI_DYN),
+        Greatest::new(&s::K_C_MIN, Most::Least, &s::K_C),
+    ],
+    summary: listed!(s: GM),
+    sensitivity: listed!(s: PHI_MAX, F_MIN, D_A_MIN),
+    limits: &[
+        Limit::at_most("afloat_heel", &s::PHI_MAX),
+        Limit::at_most("afloat_trim", &s::THETA_MAX),
+        Limit::at_least("afloat_freeboard", &s::F_MIN),
+        Limit::at_least("afloat_residual", &s::A_RES_MIN),
+        Limit::at_most("afloat_roll", &s::PHI_2_MAX),
+        Limit::not_negative("afloat_lost", &s::D_A_MIN),
+        Limit::at_most("afloat_dynamic", &s::PHI_DYN_MAX),
+        Limit::at_least("afloat_capsizing", &s::K_C_MIN),
+    ],
+    uses: &[
+        ("afloat_shape", listed!(s: L, B, D, X_H)),
+        ("afloat_tank", listed!(s: D_T)),
+        ("afloat_areas", listed!(s: PHI_F)),
+        ("afloat_rolled", listed!(s: PHI_A)),
+        ("afloat_told", listed!(s: PHI_H)),
+    ],
+    forces: listed!(s: M_L, M_T),
+    worst: &[("greatest_heel", &s::PHI_MAX), ("greatest_trim", &s::THETA_MAX)],
+};

@@ -1,0 +1,461 @@
+//! A floating crane as scenes describe it and books tell it.
+
+use std::sync::Arc;
+
+use crate::afloat::gust::GustGiven;
+use crate::afloat::hull::{BoxHull, Offsets};
+use crate::afloat::levers::{ToldHeel, raised};
+use crate::afloat::loss::LossRule;
+use crate::afloat::outline::{LEVERS, OUTLINE};
+use crate::afloat::stages::{FloatingCrane, Given, MadeInputs};
+use crate::afloat::symbols as s;
+use crate::afloat::weights::{CranePlace, HullMass, HullWind, TankGiven, Weighed, WindageArea};
+use crate::component::description::{Described, Description, Vocabulary};
+use crate::component::draw::Draw;
+use crate::component::mechanism::Entry;
+use crate::component::outline::{Limit, Outline};
+use crate::component::sheet::{Check, Curve, Drawing, Sheet, Table};
+use crate::component::stages::Stages;
+use crate::component::standing::Standing;
+use crate::component::telling::{explained, numbered, sample};
+use crate::kernel::calc::Calc;
+use crate::kernel::diagnostic::Diagnostic;
+use crate::kernel::gravity;
+use crate::kernel::group::One;
+use crate::kernel::keys::keys;
+use crate::kernel::measure;
+use crate::kernel::schema::{Key, Kind, SOURCE, Values};
+use crate::kernel::sign::Sign;
+use crate::kernel::symbol::Symbol;
+use crate::kernel::unit::M_DEG;
+use crate::parts::motion::Motion;
+use crate::parts::plane::Point;
+use crate::parts::solid::{Triangle, TriangleMesh};
+
+/// Most masses, tanks, areas, sections and points of each.
+const MANY: usize = 64;
+const MOST_SECTIONS: usize = 200;
+const MOST_POINTS: usize = 100;
+
+/// Keys of `[hull]`.
+pub const KEYS: &[Key] = keys! { s:
+    RHO_W > 0 [usually(1025.0)], L > 0 [optional], B > 0 [optional], D > 0 [optional], R [or_input], Q >= 0 [or_mass, or_input],
+    PHI_F > 0 [optional];
+    Key::new("sections", Kind::Tables(SECTION, MOST_SECTIONS), "Sections of the hull from stern to bow, instead of a box.").optional(),
+    Key::new("masses", Kind::Tables(MASS, MANY), "The hull and all that stands on it, without liquids in tanks and the load."),
+    Key::new("tanks", Kind::Tables(TANK, MANY), "Rectangular tanks that are not full.").optional(),
+    Key::table("pedestal", PEDESTAL, "Where the crane stands, and how high its load is hung."),
+    Key::part("wind", WIND, "Wind on the hull and the crane."),
+    Key::new("heels", Kind::Quantities(&s::PHI_H, Sign::Positive, [1, MANY]), "Heels at which righting levers are told.").optional(),
+    Key::kinds("loss", LOSS, "What a loss of load is judged by."),
+    Key::part("gust", GUST, "A sudden wind on the same areas."),
+    Key::table("motion", MOTION, "Working range of slewing."),
+    Key::part("limits", LIMITS, "What results may come to at most, or at least.")
+};
+
+static SECTION: &[Key] = &[
+    Key::quantity(&s::X_H, Sign::Any),
+    Key::new(
+        "points",
+        Kind::Texts(MOST_POINTS),
+        "Half breadth and height of its points, from keel to deck: \"9 m, 0 m\".",
+    ),
+    SOURCE,
+];
+static MASS: &[Key] = keys! { s: G_M [or_mass], X_M, Y_M [usually(0.0)], Z_M };
+static TANK: &[Key] = keys! { s:
+    RHO_T > 0 [usually(1000.0)], L_T > 0, B_T > 0, D_T > 0, H_T > 0, X_T, Y_T [usually(0.0)], Z_T [usually(0.0)]
+};
+static PEDESTAL: &[Key] = keys! { s: X_S, Y_S [usually(0.0)], H_S [or_input] };
+static AREA: &[Key] = keys! { s: A_W >= 0, Z_W };
+static WIND: &[Key] = keys! { s: P_W >= 0 [or_input], CHI_W, Z_L;
+    Key::new("areas", Kind::Tables(AREA, MANY), "Areas on which it acts, with their heights.")
+};
+static GUST: &[Key] = keys! { s: P_G >= 0, PHI_A >= 0 [usually(0.0)] };
+static LOSS: &[(&str, &[Key])] = &[
+    (
+        "cfr_173_025",
+        keys! { s: K_A > 0 [usually(1.0)], C_A >= 0 [usually(2.13 * M_DEG.factor)];
+        Key::kind(&["cfr_173_025"], "46 CFR 173.025: A_II > A_I + c_A.") },
+    ),
+    (
+        "ratio",
+        keys! { s: K_A > 0 [usually(1.4)], C_A >= 0 [usually(0.0)];
+        Key::kind(&["ratio"], "Class rules: A_II >= k_A A_I.") },
+    ),
+];
+const MOTION: &[Key] = &Motion::keys(
+    [&s::FROM, &s::TO],
+    &s::PSI_SL,
+    (&s::OMEGA_SL, "Angular velocity of slewing."),
+);
+const LIMITS: &[Key] = &Limit::keys::<7>(OUTLINE.limits);
+
+/// Degrees up to which the curve of levers is drawn, and the steps of the area that is checked.
+const DRAWN: i32 = 60;
+const STRIPS: u32 = 200;
+
+/// A floating crane as the scene describes it; SI.
+#[derive(Clone, Debug)]
+pub struct AfloatScene {
+    given: Given<f64>,
+    /// Whether the loss of load is judged by a ratio of areas.
+    ratio: bool,
+}
+
+/// As scenes describe it.
+pub const ENTRY: Entry = Description::<AfloatScene>::entry("hull", KEYS);
+
+/// The box of a hull that has no sections; mistakes go to `found`.
+fn built(v: &Values, found: &mut Vec<Diagnostic>) -> Option<BoxHull<f64>> {
+    let has = |symbol: &Symbol| v.has(symbol.id);
+    let all = [&s::L, &s::B, &s::D];
+    match (v.has("sections"), all.iter().find(|symbol| has(symbol))) {
+        (true, Some(symbol)) => {
+            let what = format!("`{}` of a hull with sections", symbol.id);
+            found.push(v.refuse(symbol.id, what, "given twice", "remove it, or the sections"));
+        }
+        (false, _) if !all.iter().all(|symbol| has(symbol)) => {
+            let help = "give L, B and D of a box, or [[hull.sections]]";
+            found.push(v.refuse("L", "the hull has neither L, B and D nor sections", "no shape", help));
+        }
+        _ => {}
+    }
+    BoxHull::read(v).filter(|_| !v.has("sections"))
+}
+
+/// Sections as corners and faces; mistakes go to `found`.
+fn sections(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Offsets> {
+    let lengths = [
+        Key::quantity(&s::Y_H, Sign::NotNegative),
+        Key::quantity(&s::Z_H, Sign::Any),
+    ];
+    let point = |text: &str| {
+        let (y, z) = text.split_once(',')?;
+        let [y, z] = [(y, &lengths[0]), (z, &lengths[1])].map(|(text, key)| measure::number(text, key).ok());
+        Some([y?.value, z?.value])
+    };
+    let (before, tables) = (found.len(), v.tables("sections"));
+    let (mut points, mut half, mut last) = (Vec::new(), 0, f64::NEG_INFINITY);
+    for table in tables {
+        let x = table.number(s::X_H.id)?;
+        let mut side: Vec<[f64; 2]> = Vec::new();
+        for (text, span) in table.texts("points") {
+            match point(text).filter(|new| side.last().is_none_or(|last| last[1] <= new[1])) {
+                Some(new) => side.push(new),
+                None => found.push(
+                    Diagnostic::new(span.clone(), format!("\"{text}\" is no point of a section"), "not this")
+                        .help("write half breadth and height, from keel to deck: \"9 m, 0 m\", \"9 m, 4 m\""),
+                ),
+            }
+        }
+        half = if points.is_empty() { side.len() } else { half };
+        if side.len() != half || half < 2 {
+            let what = format!("a section with {} points, and the first has {half}", side.len());
+            let help = "give two points at least, as many in each section";
+            found.push(table.refuse("points", what, "not as many", help));
+        }
+        if x <= last {
+            let what = format!("a section at x_h = {}", s::X_H.written(x));
+            found.push(table.refuse(
+                s::X_H.id,
+                what,
+                "not before the last one",
+                "give sections from stern to bow",
+            ));
+        }
+        last = x;
+        points.extend(side.iter().map(|[y, z]| [x, *y, *z]));
+        points.extend(side.iter().rev().map(|[y, z]| [x, -y, *z]));
+    }
+    if tables.len() == 1 {
+        found.push(v.refuse(
+            "sections",
+            "a hull with one section",
+            "no volume",
+            "give two sections at least",
+        ));
+    }
+    (found.len() == before && !tables.is_empty()).then(|| {
+        let faces = faces(tables.len(), half);
+        let mesh = Arc::new(TriangleMesh { points, faces });
+        Offsets { mesh, half }
+    })
+}
+
+/// Between neighbouring sections, and at the ends: alike on both sides of the centre line.
+fn faces(count: usize, half: usize) -> Vec<Triangle> {
+    let ring = 2 * half;
+    let at = |section: usize, point: usize| (section * ring + point % ring) as u16;
+    let mut faces = Vec::new();
+    for section in 0..count - 1 {
+        for point in 0..ring {
+            let [a, b] = [at(section, point), at(section, point + 1)];
+            let [c, d] = [at(section + 1, point), at(section + 1, point + 1)];
+            if point < half {
+                faces.extend([[a, b, c], [b, d, c]])
+            } else {
+                faces.extend([[a, b, d], [a, d, c]])
+            }
+        }
+    }
+    for point in 0..half - 1 {
+        let quad = |section: usize| [point, point + 1, ring - 2 - point, ring - 1 - point].map(|i| at(section, i));
+        let [a, b, c, d] = quad(0);
+        faces.extend([[a, c, b], [a, d, c]]);
+        let [a, b, c, d] = quad(count - 1);
+        faces.extend([[a, b, c], [a, c, d]]);
+    }
+    faces
+}
+
+/// What is read of each table of a list.
+fn each<T>(v: &Values, name: &str, read: impl Fn(&Values) -> Option<T>) -> Option<Vec<T>> {
+    v.tables(name).iter().map(read).collect()
+}
+
+/// Refuses tanks that hold more than they can, and a rule without the heel up to which areas count.
+fn suits(v: &Values, found: &mut Vec<Diagnostic>) {
+    for table in v.tables("tanks") {
+        if let (Some(high), Some(deep)) = (table.number(s::H_T.id), table.number(s::D_T.id))
+            && high >= deep
+        {
+            let what = format!("a tank filled to h_t = {}", s::H_T.written(high));
+            let help = format!(
+                "it is d_t = {} deep; one that is full has no free surface: it is a mass",
+                s::D_T.written(deep)
+            );
+            found.push(table.refuse(s::H_T.id, what, "not below its top", help));
+        }
+    }
+    for (name, what) in [
+        ("loss", "a loss of load without phi_f"),
+        ("gust", "a sudden wind without phi_f"),
+    ] {
+        if v.has(name) && !v.has(s::PHI_F.id) {
+            let help = "give phi_f = \"25 deg\" beside it, the heel of flooding or another limit of the criterion";
+            found.push(v.refuse(name, what, "up to which heel?", help));
+        }
+    }
+    if v.has("gust") && !v.has("wind") {
+        let help = "give [hull.wind] with its areas, if only with p_w = \"0 Pa\"";
+        found.push(v.refuse("gust", "a sudden wind on no areas", "no areas", help));
+    }
+}
+
+impl AfloatScene {
+    /// Levers over the heel (rad) at a slewing angle: the righting one, its wall-sided form, and that of the moments that heel.
+    fn levers(&self, at: f64, heels: impl Iterator<Item = f64>) -> Option<[Vec<[f64; 2]>; 3]> {
+        let mut known = FloatingCrane::new(self.given.clone());
+        known.psi().1 = at;
+        let (upright, all) = (*known.upright().ok()?, known.loaded().ok()?.all);
+        let floating = known.floating().ok()?;
+        let centred = Weighed { across: 0.0, ..all };
+        let mut curves = [const { Vec::new() }; 3];
+        for heel in heels {
+            let (sin, cos) = Calc::sin_cos(heel);
+            let [_, lever] = raised(floating, &centred, heel).ok()?;
+            let walls = (upright.height[0] + upright.radius[0] / 2.0 * (sin / cos).square()) * sin;
+            let asked = (all.across / all.weight).abs() * cos;
+            curves
+                .iter_mut()
+                .zip([lever, walls, asked])
+                .for_each(|(curve, y)| curve.push([heel, y]));
+        }
+        Some(curves)
+    }
+}
+
+impl Described for AfloatScene {
+    type Component = FloatingCrane;
+    const ID: &'static str = "afloat";
+    const TABLE: &'static str = "hull";
+    const OUTLINE: &'static Outline = &OUTLINE;
+    const VOCABULARY: &'static Vocabulary = &Vocabulary {
+        words: "afloat_symbol",
+        own: &[s::ALL],
+        shared: &[gravity::ALL],
+    };
+
+    fn read(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<(AfloatScene, Motion)> {
+        let before = found.len();
+        let range = Motion::read(v.table("motion")?, found)?;
+        suits(v, found);
+        let (built, offsets, wind) = (built(v, found), sections(v, found), v.table("wind"));
+        if found.len() > before {
+            return None;
+        }
+        let one = |symbol: &'static Symbol| v.of(symbol).map(|value| One(symbol, value));
+        let open = |of: &Values, symbol: &'static Symbol| of.is_input(symbol.id).then_some(symbol);
+        let inputs = [
+            open(v, &s::R),
+            open(v, &s::Q),
+            v.table("pedestal").and_then(|table| open(table, &s::H_S)),
+            wind.and_then(|wind| open(wind, &s::P_W)),
+        ];
+        let given = Given {
+            psi: One(&s::PSI_SL, range.from),
+            omega: One(&s::OMEGA_SL, range.speed),
+            reach: one(&s::R)?,
+            load: one(&s::Q)?,
+            crane: CranePlace::read(v)?,
+            density: one(&s::RHO_W)?,
+            built,
+            masses: each(v, "masses", HullMass::read)?,
+            tanks: each(v, "tanks", TankGiven::read)?,
+            wind: v.part("wind", HullWind::read)?,
+            areas: wind.map_or(Some(Vec::new()), |wind| each(wind, "areas", WindageArea::read))?,
+            heels: v
+                .numbers("heels")
+                .iter()
+                .map(|(phi_h, _)| ToldHeel { phi_h: *phi_h })
+                .collect(),
+            limit: v.has(s::PHI_F.id).then(|| one(&s::PHI_F)).flatten(),
+            rule: v.part("loss", LossRule::read)?,
+            gust: v.part("gust", GustGiven::read)?,
+            gravity: One(&s::G, gravity),
+            offsets,
+            inputs: MadeInputs(inputs.into_iter().flatten().collect()),
+        };
+        let ratio = v.table("loss").is_some_and(|loss| loss.text("kind") == Some("ratio"));
+        Some((AfloatScene { given, ratio }, range))
+    }
+
+    fn given(this: &Description<AfloatScene>) -> Given<f64> {
+        this.given.clone()
+    }
+
+    fn levels(&self) -> Vec<&'static str> {
+        vec!["static"]
+    }
+
+    /// The area under the righting lever against the rise of the centre of gravity over that of buoyancy.
+    fn identities(this: &Description<AfloatScene>, model: &mut Standing) -> Vec<Check> {
+        let end = 0.5;
+        let step = end / f64::from(STRIPS);
+        let Some([lever, ..]) = this.levers(this.motion.from, (0..=STRIPS).map(|i| f64::from(i) * step)) else {
+            return Vec::new();
+        };
+        // By Simpson's rule.
+        let weight = |i: usize| match i {
+            0 => 1.0,
+            i if i == STRIPS as usize => 1.0,
+            i => 2.0 + 2.0 * (i % 2) as f64,
+        };
+        let area: f64 = lever.iter().enumerate().map(|(i, [_, y])| weight(i) * y).sum::<f64>() * step / 3.0;
+        let mut known = FloatingCrane::new(this.given.clone());
+        let rise = known.loaded().ok().map(|loaded| Weighed {
+            across: 0.0,
+            ..loaded.all
+        });
+        let rise = rise.zip(known.floating().ok()).and_then(|(all, floating)| {
+            Some(raised(floating, &all, end).ok()?[0] - raised(floating, &all, 0.0).ok()?[0])
+        });
+        let weights = sample(model, &[&s::W, &s::NABLA], std::iter::once(this.motion.from)).remove(0);
+        let water = this.given.density.1 * this.given.gravity.1 * weights[1];
+        let energy =
+            rise.map(|rise| Check::at_most("afloat_energy", &s::AGREEMENT, (area - rise).abs() / rise.abs(), 1e-6));
+        let floats = Check::at_most(
+            "afloat_water",
+            &s::AGREEMENT,
+            (water - weights[0]).abs() / weights[0],
+            1e-12,
+        );
+        energy.into_iter().chain([floats]).collect()
+    }
+
+    fn assumptions(this: &Description<AfloatScene>) -> Vec<&'static str> {
+        let rule = this
+            .given
+            .rule
+            .map(|_| if this.ratio { "afloat_ratio" } else { "afloat_cfr" });
+        let own = ["afloat_level_static", "afloat_hung", "afloat_liquids"];
+        let wind = this.given.wind.map(|_| "afloat_wind");
+        own.into_iter().chain(wind).chain(rule).collect()
+    }
+
+    fn uncovered(this: &Description<AfloatScene>) -> Vec<&'static str> {
+        let wind = this.given.wind.is_none().then_some("wind");
+        wind.into_iter()
+            .chain(["afloat_motion", "strength", "load_cases"])
+            .collect()
+    }
+
+    /// Levers over the heel where it is greatest, and those that the scene asks for in a table.
+    fn more(this: &Description<AfloatScene>, model: &mut Standing, sheet: &mut Sheet) {
+        let Some(at) = sheet.positions.first().map(|position| position.value) else {
+            return;
+        };
+        if let Some(mut curves) = this.levers(at, (0..=DRAWN).map(|i| f64::from(i).to_radians())) {
+            // The wall-sided form grows without end.
+            let most = curves[0].iter().map(|point| point[1]).fold(0.0, f64::max);
+            curves[1].retain(|point| point[1] <= 1.3 * most);
+            sheet.curves.push(Curve {
+                id: "afloat_levers",
+                x: &s::PHI,
+                y: &s::GZ,
+                pieces: curves.to_vec(),
+                numbers: vec![1, 2, 3],
+            });
+        }
+        if this.given.heels.is_empty() {
+            return;
+        }
+        let columns = vec![&s::PHI_H, &s::GZ, &s::GZ_W, &s::E, &s::E_W];
+        let found: Vec<Vec<f64>> = columns.iter().map(|symbol| numbered(model, symbol, at)).collect();
+        let rows = (0..this.given.heels.len()).map(|i| found.iter().map(|column| column[i]).collect());
+        let table = Table {
+            columns: columns.clone(),
+            rows: rows.collect(),
+        };
+        let mut told = explained::<AfloatScene>(model, (at, Some(this.given.heels.len())), &[], LEVERS);
+        told.iter_mut().take(1).for_each(|section| {
+            section.table = Some(Table {
+                columns: table.columns.clone(),
+                rows: table.rows.clone(),
+            })
+        });
+        if let Some(position) = sheet.positions.first_mut() {
+            position.sections.extend(told);
+        }
+    }
+
+    /// Where the load hangs aside, at any rate of a range that begins at the bow or at the stern.
+    fn drawn_at(this: &Description<AfloatScene>) -> f64 {
+        this.motion.at(0.25)
+    }
+
+    /// From the bow: the midship section with the water as it stands, and the load's point of suspension.
+    fn drawing(this: &Description<AfloatScene>, at: f64) -> Drawing {
+        let mut draw = Draw::default();
+        let mut known = FloatingCrane::new(this.given.clone());
+        known.psi().1 = at;
+        let outline: Vec<Point<f64>> = match (&this.given.built, &this.given.offsets) {
+            (Some(hull), _) => {
+                let half = hull.b / 2.0;
+                [[half, 0.0], [half, hull.d], [-half, hull.d], [-half, 0.0]]
+                    .map(|[y, z]| Point::new(y, z))
+                    .to_vec()
+            }
+            (_, Some(offsets)) => {
+                let sections: Vec<_> = offsets.mesh.points.chunks(2 * offsets.half).collect();
+                sections[sections.len() / 2]
+                    .iter()
+                    .map(|point| Point::new(point[1], point[2]))
+                    .collect()
+            }
+            _ => Vec::new(),
+        };
+        let size = outline.iter().map(|point| point.norm()).fold(1e-3, f64::max);
+        draw.body(&outline, false);
+        if let Ok(posture) = known.posture() {
+            let (draft, slope) = posture.midship();
+            let water = |y: f64| Point::new(y, draft + y * slope);
+            draw.bar(&[water(-1.4 * size), water(1.4 * size)], true);
+            draw.angle(water(0.0), 1.25 * size, Calc::direction(1.0, slope), &s::PHI);
+        }
+        draw.axis(0.0, -0.15 * size, 0.6 * size);
+        draw.joint(Point::new(0.0, 0.0), "O", false, false);
+        draw.done(size)
+    }
+}

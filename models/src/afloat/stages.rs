@@ -1,0 +1,76 @@
+//! A floating crane as a component: what it is given, and in which stages its equations follow from each other.
+
+use crate::afloat::gust::{Gust, GustGiven};
+use crate::afloat::hull::{BoxHull, Floating, Offsets};
+use crate::afloat::levers::{RightingLever, ToldHeel, levers};
+use crate::afloat::loss::{LoadLost, LossRule, residual};
+use crate::afloat::posture::Posture;
+use crate::afloat::symbols as s;
+use crate::afloat::upright::{SmallAngles, Upright};
+use crate::afloat::weights::{CranePlace, DeadLoad, HullMass, HullWind, Loaded, TankGiven, WindageArea};
+use crate::component::part::{Component, Port, ports};
+use crate::component::stages::{Found, stages};
+use crate::kernel::group::{One, group};
+use crate::kernel::symbol::{Symbol, listed};
+
+/// Given quantities that the scene makes inputs of.
+#[derive(Clone, Debug)]
+pub struct MadeInputs(pub Vec<&'static Symbol>);
+group!(MadeInputs);
+
+stages! {
+    /// A crane on a hull.
+    FloatingCrane over C from {
+        Coordinate psi: One<C>,
+        Rate omega: One<C>,
+        Parameter reach: One<C>,
+        Parameter load: One<C>,
+        Parameter crane: CranePlace<C>,
+        Parameter density: One<C>,
+        Parameter built: Option<BoxHull<C>>,
+        Parameter masses: Vec<HullMass<C>>,
+        Parameter tanks: Vec<TankGiven<C>>,
+        Parameter wind: Option<HullWind<C>>,
+        Parameter areas: Vec<WindageArea<C>>,
+        Parameter heels: Vec<ToldHeel<C>>,
+        Parameter limit: Option<One<C>>,
+        Parameter rule: Option<LossRule<C>>,
+        Parameter gust: Option<GustGiven<C>>,
+        Parameter gravity: One<C>,
+        Fixed offsets: Option<Offsets>,
+        Fixed inputs: MadeInputs,
+    } find {
+        floating: Floating<C> = Floating::new(built, offsets, tanks, density, gravity) => _;
+        dead: DeadLoad<C> = DeadLoad::new(masses, tanks, gravity, wind, areas);
+        loaded: Loaded<C> = Loaded::new(psi, dead, crane, reach, load);
+        upright: Upright<C> = Upright::new(floating, density, gravity, tanks, loaded);
+        small: SmallAngles<C> = SmallAngles::new(loaded, upright);
+        posture: Posture<C> = Posture::new(built, floating, psi, load, loaded, upright);
+        levers[heels]: Vec<RightingLever<C>> = levers(floating, loaded, upright, heels);
+        residual: C = residual(floating, loaded, posture, limit[!]) => A_RES;
+        lost: LoadLost<C> = LoadLost::new(floating, dead, posture, limit[!], rule[!]);
+        struck: Gust<C> = Gust::new(floating, loaded, posture, limit[!], gust[!], wind[!], areas);
+    }
+}
+
+impl Component for FloatingCrane {
+    const PORTS: &'static [Port] = ports! { s:
+        axis "Slewing axis.": phi PSI_SL, w OMEGA_SL;
+        head "Boom head, where the load hangs.": r R, z H_S, f Q;
+        hull "Hull on the water.": heel PHI, trim THETA, draft T;
+    };
+
+    /// What wind, tanks and points of sections would give is no result without them.
+    fn has(given: &Given<f64>, symbol: &'static Symbol) -> bool {
+        let there = |of: &[&'static Symbol]| of.contains(&symbol);
+        (given.wind.is_some() || !there(listed!(s: M_W))) && (!given.tanks.is_empty() || !there(listed!(s: GG, GG_L)))
+    }
+
+    fn is_input(given: &Given<f64>, symbol: &'static Symbol) -> bool {
+        given.inputs.0.contains(&symbol)
+    }
+
+    fn update(known: &mut Known<f64>) -> Found<()> {
+        known.posture().map(|_| ())
+    }
+}

@@ -1,0 +1,137 @@
+//! Every quantity of a hull with a crane on it.
+
+pub use crate::kernel::gravity::G;
+use crate::kernel::symbol::symbols;
+
+symbols! {
+    // Given.
+    PSI_SL: "psi_sl" "psi_\"sl\"" RAD / DEG, "Slewing angle of the boom from the bow; positive counter-clockwise, seen from above.", "input";
+    OMEGA_SL: "omega_sl" "omega_\"sl\"" RAD_PER_S / DEG_PER_S, "Angular velocity of slewing.", "input";
+    FROM: "from" "psi_a" RAD / DEG, "Slewing angle at the start of the working range.", "input";
+    TO: "to" "psi_e" RAD / DEG, "Slewing angle at the end of the working range.", "input";
+    RHO_W: "rho_w" "rho_\"w\"" KG_PER_M3 / KG_PER_M3 [positive], "Density of the water.", "input";
+    L: "L" "L" M / M [positive], "Length of the hull.", "input";
+    B: "B" "B" M / M [positive], "Breadth of the hull.", "input";
+    D: "D" "D" M / M [positive], "Depth of the hull, from keel to deck.", "input";
+    X_H: "x_h" "x_h" M / M, "Place of a section, forward of the origin.", "input";
+    Y_H: "y_h" "y_h" M / M [not_negative], "Half breadth of the hull at a point of a section.", "input";
+    Z_H: "z_h" "z_h" M / M, "Height of a point of a section above the keel.", "input";
+    G_M: "G_m" "G_(m i)" N / KN [not_negative], "Weight of a mass on the hull, or of the hull.", "input";
+    X_M: "x_m" "x_(m i)" M / M, "Centre of gravity of a mass, forward of the origin.", "input";
+    Y_M: "y_m" "y_(m i)" M / M, "Centre of gravity of a mass, to the left of the centre line.", "input";
+    Z_M: "z_m" "z_(m i)" M / M, "Centre of gravity of a mass, above the keel.", "input";
+    RHO_T: "rho_t" "rho_(t i)" KG_PER_M3 / KG_PER_M3 [not_negative], "Density of the liquid in a tank.", "input";
+    L_T: "l_t" "l_(t i)" M / M [positive], "Length of a tank.", "input";
+    B_T: "b_t" "b_(t i)" M / M [positive], "Breadth of a tank.", "input";
+    D_T: "d_t" "d_(t i)" M / M [positive], "Depth of a tank.", "input";
+    H_T: "h_t" "h_(t i)" M / M [positive], "Height of the liquid in a tank, the hull upright.", "input";
+    X_T: "x_t" "x_(t i)" M / M, "Middle of a tank, forward of the origin.", "input";
+    Y_T: "y_t" "y_(t i)" M / M, "Middle of a tank, to the left of the centre line.", "input";
+    Z_T: "z_t" "z_(t i)" M / M, "Bottom of a tank, above the keel.", "input";
+    X_S: "x_s" "x_s" M / M, "Slewing axis, forward of the origin.", "input";
+    Y_S: "y_s" "y_s" M / M, "Slewing axis, to the left of the centre line.", "input";
+    H_S: "h_s" "h_s" M / M, "Height of the load's point of suspension above the keel.", "input";
+    R: "R" "R" M / M, "Reach: distance of the load from the slewing axis.", "input";
+    Q: "Q" "Q" N / KN [not_negative], "Weight of the load with hook block or grab.", "input";
+    P_W: "p_w" "p_\"w\"" PA / PA [not_negative], "Pressure of the wind.", "input";
+    CHI_W: "chi_w" "chi_\"w\"" RAD / DEG, "Direction to which the wind blows, from the bow; positive counter-clockwise, seen from above.", "input";
+    Z_L: "z_l" "z_l" M / M, "Height above the keel at which the water holds the hull against the wind.", "input";
+    A_W: "A_w" "A_(\"w\" i)" M2 / M2 [not_negative], "Wind area with its shape coefficient.", "input";
+    Z_W: "z_w" "z_(\"w\" i)" M / M, "Centre of a wind area, above the keel.", "input";
+    P_G: "p_g" "p_g" PA / PA [not_negative], "Pressure of a sudden wind, besides the one that blows.", "input";
+    PHI_A: "phi_a" "phi_a" RAD / DEG [from_to(0.0, 1.4), unconfirmed], "Roll against the sudden wind from which the hull comes.", "input";
+    PHI_H: "phi_h" "phi_(h i)" RAD / DEG [above_to(0.0, 1.4)], "Heel at which the righting lever is told.", "input";
+    PHI_F: "phi_f" "phi_f" RAD / DEG [above_to(0.0, 1.4)], "Heel up to which areas of levers count: of flooding, or another limit of the criterion.", "input";
+    K_A: "k_A" "k_A" ONE / ONE [positive, unconfirmed], "Times that the area that stops the roll after a loss of load must be the one that drives it.", "input";
+    C_A: "c_A" "c_A" M_RAD / M_DEG [not_negative, unconfirmed], "Area by which the one that stops the roll after a loss of load must be greater than the one that drives it.", "[46 CFR 173, 173.025]";
+
+    // Weights.
+    W_0: "W_0" "W_0" N / KN, "Weight without load.", "derived";
+    M_L0: "M_L0" "M_(L 0)" N_M / KN_M, "Moment of the weights without load, and of the wind, about the axis across the hull; positive lowers the bow.", "equilibrium";
+    M_T0: "M_T0" "M_(T 0)" N_M / KN_M, "Moment of the weights without load, and of the wind, about the centre line; positive lowers the left side.", "equilibrium";
+    M_V0: "M_V0" "M_(V 0)" N_M / KN_M, "Moment of the weights without load about the keel.", "equilibrium";
+    M_W: "M_w" "M_\"w\"" N_M / KN_M, "Moment of the wind on the upright hull.", "equilibrium";
+    X_Q: "x_Q" "x_Q" M / M, "Point of suspension, forward of the origin.", "derived";
+    Y_Q: "y_Q" "y_Q" M / M, "Point of suspension, to the left of the centre line.", "derived";
+    W: "W" "W" N / KN, "Weight with the load: displacement.", "derived";
+    M_L: "M_L" "M_L" N_M / KN_M, "Moment of all weights, and of the wind, about the axis across the hull; positive lowers the bow.", "equilibrium";
+    M_T: "M_T" "M_T" N_M / KN_M, "Moment of all weights, and of the wind, about the centre line; positive lowers the left side.", "equilibrium";
+    Z_G: "z_G" "z_G" M / M, "Centre of gravity above the keel (KG), the load at its point of suspension.", "[IS Code 2008, B 2.9]";
+
+    // Upright.
+    NABLA: "nabla" "nabla" M3 / M3, "Displaced volume.", "equilibrium";
+    T_0: "T_0" "T_0" M / M, "Draft of the upright hull.", "derived";
+    X_B: "x_B" "x_B" M / M, "Centre of buoyancy of the upright hull, forward of the origin.", "derived";
+    Z_B: "z_B" "z_B" M / M, "Centre of buoyancy of the upright hull, above the keel (KB).", "derived";
+    A_WP: "A_WP" "A_\"WP\"" M2 / M2, "Waterplane area of the upright hull.", "derived";
+    I_T: "I_T" "I_T" M4 / M4, "Second moment of the waterplane about its axis along the hull.", "derived";
+    I_L: "I_L" "I_L" M4 / M4, "Second moment of the waterplane about its axis across the hull.", "derived";
+    BM: "BM" "\"BM\"" M / M, "Metacentric radius.", "[Ports001, 7.3]";
+    BM_L: "BM_L" "\"BM\"_L" M / M, "Metacentric radius of trim.", "[Ports001, 7.3]";
+    GG: "GG" "\"GG\"" M / M, "Loss of metacentric height by free surfaces.", "[Ports001, 7.3]";
+    GG_L: "GG_L" "\"GG\"_L" M / M, "Loss of metacentric height of trim by free surfaces.", "[Ports001, 7.3]";
+    GM: "GM" "\"GM\"" M / M, "Metacentric height, free surfaces counted.", "[Ports001, 7.3]";
+    GM_L: "GM_L" "\"GM\"_L" M / M, "Metacentric height of trim, free surfaces counted.", "[Ports001, 7.3]";
+    PHI_D: "phi_d" "phi_d" RAD / DEG, "Heel at which the deck edge comes to the water, from the upright hull.", "derived";
+    PHI_B: "phi_b" "phi_b" RAD / DEG, "Heel up to which the water stands on the upright part of the sides; beyond it the wall-sided form does not hold.", "derived";
+    T_PHI_M: "t_phi_M" "t_(phi M)" ONE / ONE, "Slope of heel by the metacentric heights.", "[Ports001, 7.3]";
+    T_THETA_M: "t_theta_M" "t_(theta M)" ONE / ONE, "Slope of trim by the metacentric heights.", "[Ports001, 7.3]";
+    PHI_M: "phi_M" "phi_M" RAD / DEG, "Heel by the metacentric height; positive lowers the left side.", "[Ports001, 7.3]";
+    THETA_M: "theta_M" "theta_M" RAD / DEG, "Trim by the metacentric height; positive lowers the bow.", "[Ports001, 7.3]";
+    PHI_R: "phi_r" "phi_r" RAD / DEG [not_negative], "Inclination by the metacentric heights, heel and trim combined.", "[Ports001, 7.3]";
+
+    // Equilibrium.
+    T_PHI: "t_phi" "t_phi" ONE / ONE, "Slope of the water across the hull.", "equilibrium";
+    T_THETA: "t_theta" "t_theta" ONE / ONE, "Slope of the water along the hull.", "equilibrium";
+    PHI: "phi" "phi" RAD / DEG, "Heel; positive lowers the left side.", "equilibrium";
+    THETA: "theta" "theta" RAD / DEG, "Trim; positive lowers the bow.", "equilibrium";
+    T: "T" "T" M / M, "Draft at the origin, along the hull's own vertical.", "equilibrium";
+    BETA: "beta" "beta" RAD / DEG [not_negative], "Inclination: angle of the deck from the horizontal.", "derived";
+    X_C: "x_c" "x_c" M / M, "Corner of the deck at the bow, forward of the origin.", "derived";
+    X_A: "x_a" "x_a" M / M, "Corner of the deck at the stern, forward of the origin.", "derived";
+    Y_C: "y_c" "y_c" M / M, "Corner of the deck at the bow, from the centre line.", "derived";
+    Y_A: "y_a" "y_a" M / M, "Corner of the deck at the stern, from the centre line.", "derived";
+    Z_C: "z_c" "z_c" M / M, "Corner of the deck at the bow, above the keel.", "derived";
+    Z_A: "z_a" "z_a" M / M, "Corner of the deck at the stern, above the keel.", "derived";
+    F_1: "f_1" "f_1" M / M, "Freeboard of the corner at the bow on the right.", "derived";
+    F_2: "f_2" "f_2" M / M, "Freeboard of the corner at the bow on the left.", "derived";
+    F_3: "f_3" "f_3" M / M, "Freeboard of the corner at the stern on the left.", "derived";
+    F_4: "f_4" "f_4" M / M, "Freeboard of the corner at the stern on the right.", "derived";
+    X_D: "x_d" "x_d" M / M, "Point of the deck's edge with the least freeboard, forward of the origin.", "derived";
+    Y_D: "y_d" "y_d" M / M, "Point of the deck's edge with the least freeboard, to the left of the centre line.", "derived";
+    Z_D: "z_d" "z_d" M / M, "Point of the deck's edge with the least freeboard, above the keel.", "derived";
+    F_LOW: "f_low" "f_\"low\"" M / M, "Least freeboard of all points of the deck edge.", "derived";
+
+    // Levers.
+    GZ: "GZ" "\"GZ\"_i" M / M, "Righting lever at a heel, trim free, without the moments that heel.", "derived";
+    E: "e" "e_i" M_RAD / M_DEG, "Area under the righting lever up to a heel: rise of the centre of gravity over that of buoyancy.", "virtual work";
+    GZ_W: "GZ_w" "\"GZ\"_(\"w\" i)" M / M, "Righting lever by the wall-sided form.", "[Ports001, 7.3]";
+    E_W: "e_w" "e_(\"w\" i)" M_RAD / M_DEG, "Area under the righting lever by the wall-sided form.", "[Ports001, 7.3]";
+    A_RES: "A_res" "A_\"res\"" M_RAD / M_DEG, "Area between righting and heeling levers from the heel under load up to the one that counts.", "[46 CFR 173, 173.020]";
+
+    // Loss of load.
+    PHI_0: "phi_0" "phi_0" RAD / DEG, "Heel after the load is lost.", "equilibrium";
+    A_I: "A_I" "A_\"I\"" M_RAD / M_DEG, "Area that drives the roll when the load is lost.", "[46 CFR 173, 173.025]";
+    A_II: "A_II" "A_\"II\"" M_RAD / M_DEG, "Area that stops that roll, up to the heel that counts.", "[46 CFR 173, 173.025]";
+    PHI_2: "phi_2" "phi_2" RAD / DEG, "Heel to which the hull rolls when the load is lost.", "virtual work";
+    D_A: "d_A" "Delta A" M_RAD / M_DEG, "Area by which the one that stops the roll is greater than the criterion asks.", "[46 CFR 173, 173.025]";
+
+    // Sudden wind.
+    M_G: "M_g" "M_g" N_M / KN_M, "Moment of the sudden wind on the upright hull, to the side to which it heels.", "equilibrium";
+    PHI_S: "phi_s" "phi_s" RAD / DEG, "Heel at rest under load and sudden wind.", "equilibrium";
+    PHI_DYN: "phi_dyn" "phi_\"dyn\"" RAD / DEG, "Heel to which the hull rolls when the sudden wind strikes.", "virtual work";
+    M_C: "M_c" "M_c" N_M / KN_M, "Least moment, the same at every heel, that capsizes the hull when it strikes: tangent of the dynamic lever, up to the heel that counts.", "[Ports001, 7.3]";
+    K_C: "K_c" "K_c" ONE / ONE [infinite("without a sudden wind")], "Moment that capsizes over that of the sudden wind.", "[Ports001, 7.3]";
+
+    // The whole range.
+    PHI_MAX: "phi_max" "phi_max" RAD / DEG, "Greatest heel in the working range, by amount.", "derived";
+    THETA_MAX: "theta_max" "theta_max" RAD / DEG, "Greatest trim in the working range, by amount.", "derived";
+    BETA_MAX: "beta_max" "beta_max" RAD / DEG, "Greatest inclination in the working range.", "derived";
+    F_MIN: "f_min" "f_min" M / M, "Least freeboard in the working range.", "derived";
+    PHI_2_MAX: "phi_2_max" "phi_(2,max)" RAD / DEG, "Greatest heel after a loss of load in the working range, by amount.", "derived";
+    A_RES_MIN: "A_res_min" "A_(\"res\",min)" M_RAD / M_DEG, "Least residual area in the working range.", "derived";
+    D_A_MIN: "d_A_min" "Delta A_min" M_RAD / M_DEG, "Least excess of the area that stops the roll after a loss of load in the working range.", "derived";
+    PHI_DYN_MAX: "phi_dyn_max" "phi_(\"dyn\",max)" RAD / DEG, "Greatest heel of a roll in a sudden wind in the working range, by amount.", "derived";
+    K_C_MIN: "K_c_min" "K_(c,min)" ONE / ONE [infinite("without a sudden wind")], "Least safety against capsizing in a sudden wind in the working range.", "derived";
+    AGREEMENT: "agreement" "delta" ONE / ONE, "Difference of two independent ways, relative to the largest value.", "derived";
+}

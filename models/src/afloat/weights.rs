@@ -1,0 +1,165 @@
+//! What weighs on the water, and the wind.
+
+use crate::afloat::symbols as s;
+use crate::component::stages::{absent, results};
+use crate::kernel::calc::{Calc, sum};
+use crate::kernel::group::{One, quantities};
+use crate::kernel::variable::Fault;
+
+quantities! {
+    /// The hull, or a mass on it.
+    HullMass { g_m: G_M, x_m: X_M, y_m: Y_M, z_m: Z_M }
+}
+
+quantities! {
+    /// A rectangular tank and its liquid.
+    TankGiven { rho_t: RHO_T, l_t: L_T, b_t: B_T, d_t: D_T, h_t: H_T, x_t: X_T, y_t: Y_T, z_t: Z_T }
+}
+
+quantities! {
+    /// Where the crane stands, and how high its load is hung.
+    CranePlace { x_s: X_S, y_s: Y_S, h_s: H_S }
+}
+
+quantities! {
+    /// The wind on the hull.
+    HullWind { p_w: P_W, chi_w: CHI_W, z_l: Z_L }
+}
+
+quantities! {
+    /// An area on which it acts.
+    WindageArea { a_w: A_W, z_w: Z_W }
+}
+
+impl<C: Calc> TankGiven<C> {
+    /// Weight of the liquid, in N: ρ g l b h.
+    pub fn weight(&self, gravity: &One<C>) -> C {
+        self.rho_t * **gravity * self.l_t * self.b_t * self.h_t
+    }
+
+    /// Second moments of its surface about the axes along and across the hull, in m⁴: l b³/12, b l³/12.
+    pub fn seconds(&self) -> [C; 2] {
+        let (l, b, twelve) = (self.l_t, self.b_t, C::constant(12.0));
+        [l * (b.square() * b) / twelve, b * (l.square() * l) / twelve]
+    }
+}
+
+/// Weight (N) with its moments (N·m) about the axes across and along the hull, and the keel.
+#[derive(Clone, Copy, Debug)]
+pub struct Weighed<C> {
+    pub weight: C,
+    pub along: C,
+    pub across: C,
+    pub up: C,
+}
+
+impl<C: Calc> Weighed<C> {
+    /// The same over another scalar.
+    pub fn map<D>(&self, f: &mut dyn FnMut(C) -> D) -> Weighed<D> {
+        let [weight, along, across, up] = [self.weight, self.along, self.across, self.up].map(f);
+        Weighed {
+            weight,
+            along,
+            across,
+            up,
+        }
+    }
+}
+
+/// What floats without the load: weight (N), moments (N·m), those of the wind among them.
+#[derive(Clone, Copy, Debug)]
+pub struct DeadLoad<C> {
+    pub all: Weighed<C>,
+    wind: Option<C>,
+}
+results! { DeadLoad as d => {
+    W_0: d.all.weight;
+    M_W: d.wind.ok_or_else(absent)?;
+    M_L0: d.all.along;
+    M_T0: d.all.across;
+    M_V0: d.all.up;
+} }
+
+impl<C: Calc> DeadLoad<C> {
+    /// W_0 = Σ G, M_L0 = Σ G x + M_w cos χ, M_T0 = Σ G y + M_w sin χ, M_V0 = Σ G z, M_w = p Σ A (z_w − z_l).
+    ///
+    /// # Errors
+    /// Nothing weighs anything.
+    pub fn new(
+        masses: &[HullMass<C>],
+        tanks: &[TankGiven<C>],
+        gravity: &One<C>,
+        wind: &Option<HullWind<C>>,
+        areas: &[WindageArea<C>],
+    ) -> Result<DeadLoad<C>, Fault> {
+        let with = |own: C, each: &dyn Fn(&TankGiven<C>) -> C| match tanks {
+            [] => own,
+            _ => own + sum(tanks.iter().map(|tank| tank.weight(gravity) * each(tank))),
+        };
+        let one = C::constant(1.0);
+        let weight = with(sum(masses.iter().map(|m| m.g_m)), &|_| one).def(&s::W_0);
+        if weight.value() <= 0.0 {
+            let what = "W_0 = 0: what weighs nothing does not float; give the weight of the hull among the masses";
+            return Err(Fault::outside(what));
+        }
+        let along = with(sum(masses.iter().map(|m| m.g_m * m.x_m)), &|tank| tank.x_t);
+        let across = with(sum(masses.iter().map(|m| m.g_m * m.y_m)), &|tank| tank.y_t);
+        let half = |tank: &TankGiven<C>| tank.z_t + tank.h_t / C::constant(2.0);
+        let up = with(sum(masses.iter().map(|m| m.g_m * m.z_m)), &half).def(&s::M_V0);
+        let blown = wind.as_ref().map(|wind| {
+            let arms = sum(areas.iter().map(|area| area.a_w * (area.z_w - wind.z_l)));
+            ((wind.p_w * arms).def(&s::M_W), wind.chi_w.sin_cos())
+        });
+        let [along, across] = match blown {
+            Some((moment, (sin, cos))) => [along + moment * cos, across + moment * sin],
+            None => [along, across],
+        };
+        let all = Weighed {
+            weight,
+            along: along.def(&s::M_L0),
+            across: across.def(&s::M_T0),
+            up,
+        };
+        Ok(DeadLoad {
+            all,
+            wind: blown.map(|(moment, _)| moment),
+        })
+    }
+}
+
+/// With the load at its point of suspension (m): weight (N), moments (N·m), and how high its centre of gravity is (m).
+#[derive(Clone, Copy, Debug)]
+pub struct Loaded<C> {
+    pub all: Weighed<C>,
+    x: C,
+    y: C,
+    pub height: C,
+}
+results! { Loaded as l => { X_Q: l.x; Y_Q: l.y; W: l.all.weight; M_L: l.all.along; M_T: l.all.across; Z_G: l.height; } }
+
+impl<C: Calc> Loaded<C> {
+    /// x_Q = x_s + R cos ψ, y_Q = y_s + R sin ψ, W = W_0 + Q, M_L = M_L0 + Q x_Q, M_T = M_T0 + Q y_Q,
+    /// z_G = (M_V0 + Q h_s) / W. [IS Code 2008, B 2.9]
+    pub fn new(psi: &One<C>, dead: &DeadLoad<C>, crane: &CranePlace<C>, reach: &One<C>, load: &One<C>) -> Loaded<C> {
+        let (sin, cos) = psi.sin_cos();
+        let (x, y) = (
+            (crane.x_s + **reach * cos).def(&s::X_Q),
+            (crane.y_s + **reach * sin).def(&s::Y_Q),
+        );
+        let weight = (dead.all.weight + **load).def(&s::W);
+        let along = (dead.all.along + **load * x).def(&s::M_L);
+        let across = (dead.all.across + **load * y).def(&s::M_T);
+        let up = dead.all.up + **load * crane.h_s;
+        Loaded {
+            all: Weighed {
+                weight,
+                along,
+                across,
+                up,
+            },
+            x,
+            y,
+            height: (up / weight).def(&s::Z_G),
+        }
+    }
+}

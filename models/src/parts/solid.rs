@@ -1,0 +1,165 @@
+//! Solids bounded by triangles, cut by the plane of a liquid: exact at any level and slope.
+//!
+//! The liquid stands at `z = t + a x + b y`. Sheared along z by that plane the solid keeps its volumes, and each triangle below
+//! the plane bounds a tetrahedron with a corner in it: the lid on the plane adds nothing, and no polygon is closed.
+
+use std::sync::Arc;
+
+use crate::kernel::calc::Calc;
+use crate::parts::cut::Cut;
+
+/// A triangle by the places of its corners, counter-clockwise seen from outside.
+pub type Triangle = [u16; 3];
+
+/// Corners (m) and faces that a scene gives.
+#[derive(Debug)]
+pub struct TriangleMesh {
+    pub points: Vec<[f64; 3]>,
+    pub faces: Vec<Triangle>,
+}
+
+/// The faces of a box, whose corners are numbered by bits: 1 forward, 2 to the left, 4 at the top.
+const BOX: [Triangle; 12] = [
+    [0, 2, 3],
+    [0, 3, 1],
+    [4, 5, 7],
+    [4, 7, 6],
+    [0, 1, 5],
+    [0, 5, 4],
+    [2, 6, 7],
+    [2, 7, 3],
+    [0, 4, 6],
+    [0, 6, 2],
+    [1, 3, 7],
+    [1, 7, 5],
+];
+
+/// How near a level is found, as part of the solid's height: whoever needs more goes one step more of Newton's method.
+const NEAR: f64 = 1e-10;
+
+/// A body that a plane cuts.
+#[derive(Clone, Debug)]
+pub enum Solid<C> {
+    Box([[C; 3]; 8]),
+    Mesh(Arc<TriangleMesh>),
+}
+
+/// Where the line from a point below the plane to one above it, or back, meets it.
+#[inline]
+fn met<C: Calc>(p: [C; 3], q: [C; 3]) -> [C; 3] {
+    let part = p[2] / (p[2] - q[2]);
+    [
+        p[0] + (q[0] - p[0]) * part,
+        p[1] + (q[1] - p[1]) * part,
+        C::constant(0.0),
+    ]
+}
+
+impl<C: Calc> Solid<C> {
+    /// Of a length, a breadth and a height (m), around the middle of its bottom.
+    pub fn cuboid([x, y, z]: [C; 3], [length, breadth, height]: [C; 3]) -> Solid<C> {
+        let side = |middle: C, whole: C, more: bool| {
+            let half = whole.scaled(0.5);
+            if more { middle + half } else { middle - half }
+        };
+        Solid::Box(std::array::from_fn(|corner| {
+            let top = if corner & 4 == 0 { z } else { z + height };
+            [side(x, length, corner & 1 != 0), side(y, breadth, corner & 2 != 0), top]
+        }))
+    }
+
+    /// The same over another scalar.
+    #[inline(never)]
+    pub fn map<D>(&self, f: &mut dyn FnMut(C) -> D) -> Solid<D> {
+        match self {
+            Solid::Box(points) => Solid::Box(points.map(|point| point.map(&mut *f))),
+            Solid::Mesh(mesh) => Solid::Mesh(mesh.clone()),
+        }
+    }
+
+    /// Its corners from the plane, sheared, and its faces.
+    fn sheared(&self, [t, a, b]: [C; 3]) -> (Vec<[C; 3]>, &[Triangle]) {
+        let from = |[x, y, z]: [C; 3]| [x, y, z - t - a * x - b * y];
+        match self {
+            Solid::Box(points) => (points.iter().copied().map(from).collect(), &BOX),
+            Solid::Mesh(mesh) => {
+                let points = mesh.points.iter().map(|point| from(point.map(C::constant)));
+                (points.collect(), &mesh.faces)
+            }
+        }
+    }
+
+    /// Least and greatest height of a corner over the plane of these slopes through the origin.
+    #[must_use]
+    #[inline(never)]
+    pub fn heights(&self, [a, b]: [C; 2]) -> [f64; 2] {
+        let (points, _) = self.sheared([C::constant(0.0), a, b]);
+        let heights = points.iter().map(|point| point[2].value());
+        heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], z| {
+            [low.min(z), high.max(z)]
+        })
+    }
+
+    /// What lies below the plane `z = t + a x + b y`.
+    #[inline(never)]
+    pub fn cut(&self, plane: [C; 3]) -> Cut<C> {
+        let (points, faces) = self.sheared(plane);
+        let mut found = Cut::nothing();
+        for face in faces {
+            let corners = face.map(|corner| points[usize::from(corner)]);
+            let wet = corners.map(|corner| corner[2].value() < 0.0);
+            let count = wet.into_iter().filter(|wet| *wet).count();
+            // The corner that is alone on its side comes first.
+            let first = wet.iter().position(|wet| *wet == (count == 1)).unwrap_or(0);
+            let [p, q, r] = [0, 1, 2].map(|i| corners[(first + i) % 3]);
+            match count {
+                0 => {}
+                1 => {
+                    let (u, v) = (met(p, q), met(p, r));
+                    found.piece([p, u, v]);
+                    found.side(v, u);
+                }
+                2 => {
+                    let (u, v) = (met(q, p), met(r, p));
+                    found.piece([u, q, r]);
+                    found.piece([u, r, v]);
+                    found.side(u, v);
+                }
+                _ => found.piece([p, q, r]),
+            }
+        }
+        found.done(plane)
+    }
+}
+
+impl Solid<f64> {
+    /// Level (m) of the plane of these slopes below which a volume (m³) lies, to a part of the solid's height: Newton's method
+    /// between ends that close in. The whole solid, or nothing of it, where it has not as much.
+    #[must_use]
+    #[inline(never)]
+    pub fn level(&self, [a, b]: [f64; 2], volume: f64) -> f64 {
+        let [mut low, mut high] = self.heights([a, b]);
+        let size = high - low;
+        let mut level = f64::midpoint(low, high);
+        for _ in 0..200 {
+            let cut = self.cut([level, a, b]);
+            let short = volume - cut.volume;
+            if short > 0.0 {
+                low = level
+            } else {
+                high = level
+            }
+            let next = level + short / cut.area;
+            let next = if next > low && next < high {
+                next
+            } else {
+                f64::midpoint(low, high)
+            };
+            if (next - level).abs() <= NEAR * size {
+                return next;
+            }
+            level = next;
+        }
+        level
+    }
+}

@@ -1,0 +1,151 @@
+//! What makes a scene of a floating crane legal: a flat hull, weights near its middle, a load and a wind under which no deck
+//! comes to the water and no roll goes beyond where areas count.
+
+use std::f64::consts::PI;
+
+use lemnis_models::afloat::symbols as s;
+use lemnis_models::kernel::schema::Key;
+use lemnis_models::kernel::symbol::Symbol;
+use toml::{Table, Value};
+
+use crate::bodies::{list, row};
+use crate::luffing::working_range;
+use crate::scene::{Draw, Node};
+
+/// A result that every level has.
+pub const RESULT: (&str, &Symbol) = ("T", &s::T);
+
+pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
+    let mut table = draw.table(keys);
+    let mut n = Node::new(draw, keys, &mut table);
+    let (size, g) = (n.draw.scale[0], n.draw.g);
+    let density = n.draw.natural(&s::RHO_W).clamp(1e-6, 1e6);
+    n.keep("rho_w", true);
+    let density = n.set("rho_w", density);
+    let [long, broad] = [(2.0, 4.0), (1.0, 1.5)].map(|(low, high)| size * n.draw.between(low, high));
+    let deep = 0.5 * size;
+    // Displacement of a draft of a fifth of the size.
+    let weight = density * g * long * broad * 0.2 * size;
+    shape(&mut n, [long, broad, deep]);
+    weights(&mut n, weight, density);
+    let (load, reach) = (n.draw.between(0.0, 0.01), n.draw.between(0.0, 0.5));
+    n.set("Q", weight * load);
+    n.set("R", size * reach);
+    let high = size * n.draw.between(0.0, 1.0);
+    let mut crane = n.child("pedestal").expect("required");
+    crane.set("x_s", 0.0);
+    crane.keep("y_s", false);
+    crane.set("h_s", high);
+    if let Some(mut wind) = n.child("wind") {
+        let pressure = wind.draw.between(0.0, 0.002) * weight / (size * size);
+        wind.set("p_w", pressure);
+        wind.set("z_l", 0.0);
+        list(&mut wind, "areas", 1, &mut |draw, _| {
+            let (area, height) = (size * size * draw.between(0.0, 1.0), size * draw.between(0.0, 1.0));
+            row(draw, &[(&s::A_W, area), (&s::Z_W, height)])
+        });
+    }
+    if !n.has("wind") {
+        n.remove(&["gust"]);
+    }
+    if let Some(mut gust) = n.child("gust") {
+        let pressure = gust.draw.between(0.0, 0.002) * weight / (size * size);
+        gust.set("p_g", pressure);
+        let roll = gust.draw.between(0.0, 0.05);
+        gust.keep("phi_a", true);
+        gust.set("phi_a", roll);
+    }
+    let end = n.draw.between(0.3, 0.5);
+    n.keep("phi_f", true);
+    n.set("phi_f", end);
+    if n.has("heels") {
+        let heels: Vec<Value> = [0.05, 0.2, 0.6]
+            .map(|heel| n.draw.written(&s::PHI_H, heel).0.into())
+            .to_vec();
+        n.put("heels", heels);
+    }
+    working_range(&mut n, [-PI, PI]);
+    table
+}
+
+/// A box, or the sections of one, of a length, a breadth and a depth.
+fn shape(n: &mut Node, [long, broad, deep]: [f64; 3]) {
+    n.remove(&["sections"]);
+    if n.draw.coin(0.3) {
+        n.remove(&["L", "B", "D"]);
+        let count = n.draw.rng.usize(2..6);
+        list(n, "sections", count, &mut |draw, i| {
+            let x = long * (i as f64 / (count - 1) as f64 - 0.5);
+            let mut point = |y: f64, z: f64| {
+                let [y, z] = [(&s::Y_H, y), (&s::Z_H, z)].map(|(symbol, value)| draw.written(symbol, value).0);
+                Value::from(format!("{y}, {z}"))
+            };
+            let points = vec![
+                point(0.0, 0.0),
+                point(0.5 * broad, 0.0),
+                point(0.5 * broad, 0.5 * deep),
+                point(0.5 * broad, deep),
+            ];
+            let x = draw.written(&s::X_H, x).0;
+            Value::Table(Table::from_iter([
+                ("x_h".to_owned(), x.into()),
+                ("points".to_owned(), points.into()),
+            ]))
+        });
+    } else {
+        for (name, value) in [("L", long), ("B", broad), ("D", deep)] {
+            n.keep(name, true);
+            n.set(name, value);
+        }
+    }
+}
+
+/// Masses of nearly a weight, and at most one tank with a liquid of a density.
+fn weights(n: &mut Node, weight: f64, density: f64) {
+    let size = n.draw.scale[0];
+    let bodies = n.draw.rng.usize(1..4);
+    list(n, "masses", bodies, &mut |draw, _| {
+        let own = weight / bodies as f64 * draw.between(0.8, 1.0);
+        let [x, y] = [0, 1].map(|_| size * draw.between(-0.01, 0.01));
+        let high = size * draw.between(0.0, 0.2);
+        row(draw, &[(&s::G_M, own), (&s::X_M, x), (&s::Y_M, y), (&s::Z_M, high)])
+    });
+    let tanks = n.draw.rng.usize(0..2);
+    list(n, "tanks", tanks, &mut |draw, _| {
+        let of = |part: f64| part * size;
+        let filled = draw.between(0.02, 0.18);
+        row(
+            draw,
+            &[
+                (&s::RHO_T, density),
+                (&s::L_T, of(0.2)),
+                (&s::B_T, of(0.2)),
+                (&s::D_T, of(0.2)),
+                (&s::H_T, of(filled)),
+                (&s::X_T, 0.0),
+            ],
+        )
+    });
+}
+
+/// Next to what cannot be: a load that capsizes, a hull that sinks, weights too high, a tank filled to its top, no areas.
+pub fn edge(n: &mut Node) {
+    let size = n.draw.scale[0];
+    match n.draw.rng.u8(0..4) {
+        0 => {
+            let load = n.draw.natural(&s::Q) * n.draw.pick(&[1.0, 100.0, 1e5]);
+            n.set("Q", load);
+        }
+        1 => {
+            let light = n.draw.natural(&s::RHO_W) * n.draw.pick(&[0.1, 1e-3]);
+            n.set("rho_w", light.clamp(1e-9, 1e6));
+        }
+        2 => {
+            let weight = n.draw.natural(&s::W_0);
+            list(n, "masses", 1, &mut |draw, _| {
+                row(draw, &[(&s::G_M, weight), (&s::X_M, 0.0), (&s::Z_M, 2.0 * size)])
+            });
+        }
+        _ => n.remove(&["phi_f"]),
+    }
+}
