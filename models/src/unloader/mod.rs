@@ -23,7 +23,7 @@
 //! |---|---|---|
 //! | `unloader.trolley` | [`trolley::hanging`], [`trolley::TrolleyForces::new`], [`trolley::AuxiliaryRun::new`] | Ports001, 7.5 |
 //! | `unloader.ropes` | [`ropes::TrolleyRopes::new`], [`ropes::wound`], [`ropes::drums_turn`] | Ports001, 5.8 |
-//! | `unloader.planetary` | [`planetary::Differential::new`], [`planetary::circulating`] | Ports001, 5.8.1; Willis |
+//! | `unloader.planetary` | [`planetary::differentials`], [`planetary::circulating`] | Ports001, 5.8.1; Willis |
 //! | `unloader.motors` | [`motors::MotorPowers::new`], [`motors::LiftedLoad::new`] | Ports001, 5.9 |
 //! | `unloader.cycle` | [`cycle::PhaseForces::new`], [`cycle::GrabDuty::new`] | Ports001, 5.9.1 |
 
