@@ -4,6 +4,8 @@
 #[path = "common/named.rs"]
 mod named;
 
+use std::f64::consts::{FRAC_PI_2, TAU};
+
 use lemnis_models::component::model::Model;
 
 use named::{get, model, near, set};
@@ -93,4 +95,40 @@ fn a_length_is_reached_and_not_passed() {
     near(fastest, 0.5, 1e-12);
     near(get(&mut model, "l_R"), 10.0, 1e-5);
     assert!(least > 10.0 - 0.5 * CYCLE, "{least}");
+}
+
+/// Amplitude (rad) of the swing in the plane after a command of luffing that ends at rest, on a rope of a length (m), with its
+/// scene's `shaped`; the load is too light to move the boom.
+fn luffed(length: f64, shaped: &str) -> f64 {
+    let text = std::fs::read_to_string("scenes/portal_by_speed.toml").expect("ready");
+    let (head, rest) = text.split_once("\n[luffing.control]").expect("there");
+    let (_, limits) = rest.split_once("\n[luffing.limits]").expect("there");
+    let head = head.replace("Q = \"100 kN\"", "Q = \"1 kg\"");
+    let (head, friction) = head.split_once("c_v  = ").expect("there");
+    assert!(friction.contains("M_F"), "{friction}");
+    let mut model = model(&format!(
+        "{head}step = \"20 ms\"\nl_R = \"{length} m\"\n\n[luffing.control]\nK_pA = \"300000 kN.m.s\"\nK_iA = \"600000 kN.m\"\n\
+         T_cA = \"20 ms\"\na_A = \"1 rad/s2\"\nM_maxA = \"1e9 kN.m\"\n\
+         omega_cA = {{ between = \"linear\", {shaped} over = [[\"0 s\", \"0 deg/s\"], [\"2 s\", \"0.02 deg/s\"],\n\
+         [\"13 s\", \"0.02 deg/s\"], [\"14 s\", \"0 deg/s\"], [\"60 s\", \"0 deg/s\"]] }}\n\n[luffing.limits]{limits}"
+    ));
+    model.start().expect("starts");
+    model.advance(0.0, 50.0).expect("runs");
+    let own = (G / length).sqrt();
+    let (phi, rate) = (get(&mut model, "phi_R"), get(&mut model, "omega_R"));
+    (phi * phi + rate * rate / (own * own)).sqrt()
+}
+
+/// ρ = |cos(π/2 T_sh/T)| of two equal pulses half a period apart, on other lengths of rope than the one that they are shaped for.
+#[test]
+fn a_shaped_luffing_speed_leaves_what_two_pulses_leave() {
+    let period = 7.8;
+    let fitting = G * (period / TAU) * (period / TAU);
+    for part in [0.7, 0.8, 0.9, 1.0, 1.1, 1.2, 1.3] {
+        let length = part * fitting;
+        let measured = luffed(length, "shaped = \"7.8 s\",") / luffed(length, "");
+        let expected = libm::cos(FRAC_PI_2 / part.sqrt()).abs();
+        println!("l = {part} l_0: left {measured:.6}, closed form {expected:.6}");
+        near(measured, expected, 1e-3);
+    }
 }
