@@ -75,6 +75,20 @@ fn what_hangs_at_the_start_stays() {
     near(get(&mut model, "l_R"), 15.0, 1e-12);
 }
 
+/// Stable is 2 K_p T_c < 4 J + K_i T_c²: K_p up to 2.036 J/T_c here; gains set in the model are looked at, too.
+#[test]
+fn gains_that_swing_up_are_refused_where_they_are_set_too() {
+    let ratio = FALLS / R_H;
+    let j = (J_H * ratio * ratio + LOAD) / ratio;
+    for (part, starts) in [(2.03, true), (2.04, false)] {
+        let mut model = hoist("a_ch = \"0.2 m/s2\"\nM_maxh = \"30 kN.m\"\nv_ch = \"0 m/s\"");
+        set(&mut model, "K_ph", part * j / CYCLE);
+        let started = model.start();
+        assert_eq!(started.is_ok(), starts, "{part}: {started:?}");
+        assert!(starts || started.is_err_and(|fault| fault.message.contains("swings up")));
+    }
+}
+
 /// Sent to a length far away the hoist reaches it, goes beyond it by no more than a cycle at its greatest speed, and is not there
 /// before ramp and greatest speed allow.
 #[test]

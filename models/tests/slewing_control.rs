@@ -145,6 +145,18 @@ fn no_error_is_left_in_the_end() {
     near(get(&mut model, "M_sl"), 600e3 * 0.1 + 40e3, 1e-5);
 }
 
+/// Stable is 2 K_p T_c < 4 J + K_i T_c², of which the last is but 0.08 % here: gains set in the model are looked at, too.
+#[test]
+fn gains_that_swing_up_are_refused_where_they_are_set_too() {
+    for (gain, runs) in [(1.99 * J / CYCLE, true), (2.01 * J / CYCLE, false)] {
+        let mut model = rigid("", CYCLE, &format!("omega_csl = \"0.1 rad/s\"\n{FREE}"));
+        set(&mut model, "K_psl", gain);
+        let started = model.start().and_then(|()| model.advance(0.0, 1.0));
+        assert_eq!(started.is_ok(), runs, "{gain}: {started:?}");
+        assert!(runs || started.is_err_and(|fault| fault.message.contains("swings up")));
+    }
+}
+
 /// What was saved between two samples goes on in the same bits.
 #[test]
 fn a_saved_state_goes_on_in_the_same_bits() {

@@ -266,8 +266,11 @@ impl<T: Described> Description<T> {
         {
             if let Err(fault) = moving {
                 let named = fault.about.and_then(|symbol| Some((v.holder(symbol)?, symbol.id)));
+                let help = match named {
+                    Some(_) => "change it, or begin elsewhere",
+                    None => "begin elsewhere, or move what it names",
+                };
                 let (table, key) = named.unwrap_or((v, "motion"));
-                let help = "begin elsewhere, or move what it names";
                 found.push(table.refuse(key, fault.message, "the motion cannot begin so", help));
             } else if let Some(table) = v.table("motion").filter(|_| described.motion.by_part) {
                 let what = "an input for what moves by itself";

@@ -3,6 +3,7 @@
 use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
+use crate::kernel::variable::Fault;
 use crate::parts::control::{Latched, SpeedControl};
 use crate::parts::turntable::Turning;
 use crate::slewing::motion::SlewingDrive;
@@ -28,15 +29,30 @@ pub fn acting<C: Calc>(given: &SlewingDrive<C>, held: &Option<Latched<C>>) -> Sl
     })
 }
 
+/// What the controller moves, in kg·m²: without the load where that swings.
+fn moved<C: Calc>(turning: &Turning<C>, swung: &Option<SwingingLoad<C>>, total: &C) -> C {
+    if swung.is_some() { turning.j_sl } else { *total }
+}
+
 /// One sample of the controller, at an angle (rad) and an angular velocity (rad/s).
+///
+/// # Errors
+/// Gains under which the speed swings up.
+#[expect(clippy::too_many_arguments, reason = "all that it needs")]
 pub fn sampled<C: Calc>(
     control: &SpeedControl<C>,
     commanded: &One<C>,
     held: &Latched<C>,
+    turning: &Turning<C>,
+    swung: &Option<SwingingLoad<C>>,
+    total: &C,
     psi: &One<C>,
     omega: &One<C>,
-) -> Latched<C> {
-    control.sample(held, commanded, [psi.1, omega.1])
+) -> Result<Latched<C>, Fault> {
+    match control.swings_up(moved(turning, swung, total).value()) {
+        Some([what, help]) => Err(Fault::outside(format!("{what}: {help}"))),
+        None => Ok(control.sample(held, commanded, [psi.1, omega.1])),
+    }
 }
 
 /// The speed under the controller, in closed form.
@@ -52,7 +68,7 @@ impl<C: Calc> Regulated<C> {
         swung: &Option<SwingingLoad<C>>,
         total: &C,
     ) -> Regulated<C> {
-        let inertia = if swung.is_some() { turning.j_sl } else { *total };
+        let inertia = moved(turning, swung, total);
         Regulated(control.vibration(inertia, turning.c_sl, [&s::OMEGA_0_SL, &s::ZETA_SL]))
     }
 }

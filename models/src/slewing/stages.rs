@@ -47,7 +47,8 @@ stages! {
         steady: Steady<C> = Steady::new(turning, tilt[?], omega);
         circling: Circling<C> = Circling::new(carried, hung, total, omega);
         regulated: Regulated<C> = Regulated::new(control[!], turning, swung, total);
-        sampled: Latched<C> = sampled(control[!], commanded[!], latched[!], psi, omega) => _;
+        sampled: Latched<C> = sampled(
+            control[!], commanded[!], latched[!], turning, swung, total, psi, omega) => _;
         controlled: Controlled<C> = Controlled::new(latched[!]);
         drive: SlewingDrive<C> = acting(driven[!], latched) => _;
         leaning: C = leaning(slope[!], swung[!], psi) => M_GAMMA_U;

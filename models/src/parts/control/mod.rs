@@ -136,6 +136,32 @@ impl<C: Calc> SpeedControl<C> {
         }
     }
 
+    /// What is wrong, and what to do, where a speed swings up under its samples: eigenvalues of z² − (2 − p) z + 1 − p + q beyond
+    /// the unit circle, where p = K_p T_c/J and q = K_i T_c²/J, with moment over acceleration J.
+    #[must_use]
+    pub fn swings_up(&self, inertia: f64) -> Option<[String; 2]> {
+        let [p, q] = self.gains.map(|gain| (gain * self.cycle).value() / inertia);
+        let q = q * self.cycle.value();
+        if q < p && 2.0 * p - q < 4.0 {
+            return None;
+        }
+        let [k_p, k_i, t_c, ..] = self.axis.settings;
+        Some([
+            format!(
+                "samples every {} under which a speed swings up",
+                t_c.written(self.cycle.value())
+            ),
+            format!(
+                "give a shorter cycle, or other gains: stable is {i} {t} < {p} with 2 {p} {t} < 4 J + {i} {t}^2, where J = {} in \
+                 SI units is the moment over the acceleration that it gives",
+                short(inertia),
+                i = k_i.id,
+                p = k_p.id,
+                t = t_c.id,
+            ),
+        ])
+    }
+
     /// ω_0 = √(K_i/J) in rad/s, ζ = (K_p + c)/(2 √(K_i J)) of a rigid shaft with viscous friction (N·m·s), as the cycle goes to
     /// zero: J ω̇ = K_p e + K_i ∫e dt − c ω.
     pub fn vibration(&self, inertia: C, friction: C, [omega_0, zeta]: [&'static Symbol; 2]) -> [C; 2] {
@@ -180,31 +206,5 @@ impl SpeedControl {
     #[must_use]
     pub fn limit(&self) -> f64 {
         self.limit
-    }
-
-    /// What is wrong, and what to do, where a speed swings up under its samples: eigenvalues of z² − (2 − p) z + 1 − p + q beyond
-    /// the unit circle, where p = K_p T_c/J and q = K_i T_c²/J, with moment over acceleration J.
-    #[must_use]
-    pub fn swings_up(&self, inertia: f64) -> Option<[String; 2]> {
-        let [p, q] = self.gains.map(|gain| gain * self.cycle / inertia);
-        let q = q * self.cycle;
-        if q < p && 2.0 * p - q < 4.0 {
-            return None;
-        }
-        let [k_p, k_i, t_c, ..] = self.axis.settings;
-        Some([
-            format!(
-                "samples every {} under which a speed swings up",
-                t_c.written(self.cycle)
-            ),
-            format!(
-                "give a shorter cycle, or other gains: stable is {i} {t} < {p} with 2 {p} {t} < 4 J + {i} {t}^2, where J = {} in \
-                 SI units is the moment over the acceleration that it gives",
-                short(inertia),
-                i = k_i.id,
-                p = k_p.id,
-                t = t_c.id,
-            ),
-        ])
     }
 }
