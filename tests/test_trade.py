@@ -301,3 +301,21 @@ def test_short_communication_steps_are_the_longest_inner_ones(tmp_path):
     assert found["parts"]["setting"] == "swing, RK4, step = 1 ms" and "nothing was measured" not in told
     off = {part["without"]: part["errors"]["A.x"]["max"] for part in found["parts"]["left_out"]}
     assert off["luffing.drive"] == 0.0 < min(off[f"luffing.{part}"] for part in ("air", "balance", "slewing"))
+
+
+def test_steps_that_the_solver_refuses_are_told(tmp_path):
+    """A rope on which the load is put down is too stiff for steps of 0.1 s: the other settings are compared all the same."""
+    path = ROOT / "models/scenes/load_on_ground.toml"
+    text = lemnis("trade", path, "--output", tmp_path, "--rounds", 1)
+    found = json.loads((tmp_path / "LoadOnGround_trade.json").read_text(encoding="utf-8"))
+    [refused] = found["refused"]
+    assert refused["setting"] == "swing, RK4, step = 100 ms" and "too long for the motion" in refused["fault"]
+    assert f"refused at {refused['setting']}: {refused['fault']}" in text
+    steps = {row["setting"]["step"] for row in found["settings"] if row["level"] == "swing"}
+    assert steps == {"50 ms", "20 ms", "10 ms", "5 ms", "2 ms"}
+    assert any(row["front"] and row["level"] == "swing" for row in found["settings"])
+    # So is an FMU with this step, at its key.
+    scene = tmp_path / "coarse.toml"
+    scene.write_text(path.read_text(encoding="utf-8").replace("[luffing.dynamics]", '[luffing.dynamics]\nstep = "100 ms"', 1), encoding="utf-8")
+    message = lemnis("fmu", scene, "--output", tmp_path, expect=1)
+    assert "too long for the motion" in message and 'step = "50 ms" runs' in message

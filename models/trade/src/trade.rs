@@ -92,6 +92,8 @@ pub struct Trade {
     pub references: Vec<Reference>,
     /// From cheap to dear.
     pub rows: Vec<Row>,
+    /// Settings at which the solver refuses the motion, and why.
+    pub refused: Vec<(Setting, Fault)>,
     /// Place of the row at whose setting the parts are left out.
     pub whole: usize,
     pub parts: Vec<Part>,
@@ -192,10 +194,11 @@ impl Trade {
         for (asked, series) in asked.iter_mut().zip(&truth.series) {
             asked.range = covered(series);
         }
-        let mut rows = Vec::new();
+        let (mut rows, mut refused) = (Vec::new(), Vec::new());
         for reference in &references {
+            let before = rows.len();
             for setting in Setting::all(scene, reference.level, sample) {
-                rows.push(row(
+                match row(
                     scene,
                     &experiment,
                     setting,
@@ -204,8 +207,15 @@ impl Trade {
                     reference,
                     &truth,
                     rounds,
-                )?);
+                ) {
+                    Ok(row) => rows.push(row),
+                    Err(fault) => refused.push((setting, fault)),
+                }
                 done();
+            }
+            if rows.len() == before {
+                let last = refused.pop().expect("every level has a setting");
+                return Err(Failure::Refused(last.1));
             }
         }
         rows.sort_by(|a, b| a.cost.total_cmp(&b.cost));
@@ -223,6 +233,7 @@ impl Trade {
             command: experiment.own_command(),
             references,
             rows,
+            refused,
         })
     }
 
@@ -403,7 +414,7 @@ fn whole(rows: &[Row], deepest: &str, asked: &[Asked]) -> usize {
     let own = |(_, row): &(usize, &Row)| row.setting.level == deepest;
     let mut of_level = rows.iter().enumerate().filter(own);
     let found = of_level.clone().find(|(_, row)| good(row)).or(of_level.next_back());
-    found.expect("every level has a setting").0
+    found.expect("every level has a setting that runs").0
 }
 
 /// What a dearer setting must be more accurate by to be worth its price.

@@ -29,11 +29,20 @@ pub(super) struct Trade {
     picture: String,
     results: Vec<Compared>,
     rows: Vec<Row>,
+    /// Level, solver and step or tolerance at which the solver refuses the motion.
+    refused: Vec<Refused>,
     /// Place of the cheapest that keeps to the accuracy among the rows.
     choice: Option<usize>,
     /// Place of the row at whose setting the parts are left out.
     whole: usize,
     parts: Vec<LeftOut>,
+}
+
+#[derive(Serialize)]
+struct Refused {
+    level: &'static str,
+    solver: &'static str,
+    setting: Option<String>,
 }
 
 /// The scene without one of its parts.
@@ -156,6 +165,11 @@ impl Trade {
                     .collect(),
             }
         });
+        let refused = traded.refused.iter().map(|(refused, _)| Refused {
+            level: refused.level,
+            solver: solver(refused),
+            setting: setting(numbers, names, refused),
+        });
         let axes = ["e", "c thin \"/\" thin \"µs/s\""];
         Ok(Trade {
             command: traded.command.and_then(|id| {
@@ -171,6 +185,7 @@ impl Trade {
             results: results.collect(),
             choice: traded.rows.iter().position(|row| row.holds == Some(true)),
             rows: rows.collect(),
+            refused: refused.collect(),
             whole: traded.whole,
             parts: left_out(numbers, names, &traded, &digits),
         })

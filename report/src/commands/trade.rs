@@ -122,6 +122,9 @@ fn table(scene: &Scene, traded: &Traded) -> String {
             "  follows: cannot take the command and is led along the deepest level's motion, so it is no substitute\n",
         );
     }
+    for (setting, fault) in &traded.refused {
+        let _ = writeln!(text, "  refused at {setting}: {}", fault.message);
+    }
     left_out(traded, &mut text);
     for line in [verdict(scene, traded)].into_iter().chain(dispensable(traded)) {
         let _ = writeln!(text, "  {line}");
@@ -336,11 +339,15 @@ fn json(scene: &Scene, traded: &Traded) -> String {
         }
         Err(fault) => json!({ "without": part.path, "fault": fault.message }),
     });
+    let refused = traded
+        .refused
+        .iter()
+        .map(|(setting, fault)| json!({ "setting": setting.to_string(), "fault": fault.message }));
     let whole = json!({
         "name": scene.name(), "motion": traded.command.unwrap_or("cycle"), "duration": number(traded.duration),
         "communication_step": number(traded.sample), "agreement_asked": number(AGREEMENT),
         "results": asked.collect::<Map<_, _>>(), "references": references.collect::<Vec<_>>(),
-        "settings": rows.collect::<Vec<_>>(), "choice": choice,
+        "settings": rows.collect::<Vec<_>>(), "refused": refused.collect::<Vec<_>>(), "choice": choice,
         "parts": { "setting": traded.rows[traded.whole].setting.to_string(), "left_out": parts.collect::<Vec<_>>() },
         "verdict": verdict(scene, traded),
     });
