@@ -32,6 +32,21 @@ pub struct BallastTank<C> {
     pub centre: [C; 3],
 }
 
+impl<C: Calc> BallastTank<C> {
+    /// With its surface at slopes along and across: how far the moments of its volume have gone from those of the upright hull
+    /// (m⁴), and the second moments of the surface about its own centre (m⁴).
+    pub fn leaning(&self, [a, b]: [C; 2]) -> ([C; 3], [C; 3]) {
+        let slopes = [a.value(), b.value()];
+        let level = C::constant(self.walls.map(&mut |x| x.value()).level(slopes, self.volume.value()));
+        let found = self.walls.cut([level, a, b]);
+        // A last step of Newton's method brings the derivatives.
+        let level = level + (self.volume - found.volume) / found.area;
+        let found = self.walls.cut([level, a, b]);
+        let moved = [0, 1, 2].map(|i| found.moment[i] - self.volume * self.centre[i]);
+        (moved, found.central())
+    }
+}
+
 /// Hull and tanks, and the weight of the water for a volume, in N/m³.
 #[derive(Clone, Debug)]
 pub struct Floating<C> {

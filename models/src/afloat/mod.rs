@@ -22,16 +22,23 @@
 //! | `afloat.levers` | [`levers::levers`] | potential energy; Ports001, 7.3: wall-sided form |
 //! | `afloat.loss` | [`loss::residual`], [`loss::LoadLost::new`] | 46 CFR 173, 173.020 and 173.025 |
 //! | `afloat.gust` | [`gust::Gust::new`] | Ports001, 7.3: dynamic lever |
+//! | `afloat.riding` | [`riding::RidingHull::new`], [`riding::WaterForces::new`] | geometry; virtual work |
+//! | `afloat.swaying` | [`head::HeadPlace::new`], [`swaying::Swaying::new`] | Lagrange, first kind |
 
 pub mod gust;
+pub mod head;
 pub mod hull;
 pub mod levers;
 pub mod loss;
 mod outline;
 pub mod posture;
 pub mod rest;
+pub mod riding;
 pub mod scene;
+mod shape;
 pub mod stages;
+mod start;
+pub mod swaying;
 pub mod symbols;
 pub mod upright;
 pub mod weights;

@@ -11,7 +11,8 @@ pub const LEVERS: &[SectionOutline] = &[("afloat_levers", &[Stage("levers")])];
 pub const OUTLINE: Outline = Outline {
     inputs: chapters!(
         afloat_hull "", afloat_sections "sections", afloat_masses "masses", afloat_tanks "tanks", load "Q", load "R",
-        afloat_crane "pedestal", afloat_wind "wind", afloat_areas "wind.areas", afloat_loss "loss", afloat_gust "gust", motion, limits
+        afloat_crane "pedestal", afloat_wind "wind", afloat_areas "wind.areas", afloat_loss "loss", afloat_gust "gust",
+        afloat_dynamics "dynamics", afloat_start, motion, limits
     ),
     constants: &[("afloat_weights", &[Stage("dead")])],
     sections: &[
@@ -22,6 +23,10 @@ pub const OUTLINE: Outline = Outline {
         ("afloat_residual", &[Stage("residual")]),
         ("afloat_lost", &[Stage("lost")]),
         ("afloat_gust", &[Stage("struck")]),
+        ("afloat_riding", &[Stage("riding"), Stage("wetted"), Stage("clear")]),
+        ("afloat_forces", &[Stage("forces")]),
+        ("afloat_head", &[Stage("head")]),
+        ("afloat_swaying", &[Stage("swaying")]),
     ],
     table: listed!(s: PHI, THETA, T, F_LOW, PHI_M, THETA_M, PHI_2, PHI_DYN),
     curves: &[
@@ -58,6 +63,7 @@ pub const OUTLINE: Outline = Outline {
         ("afloat_areas", listed!(s: PHI_F)),
         ("afloat_rolled", listed!(s: PHI_A)),
         ("afloat_told", listed!(s: PHI_H)),
+        ("start", listed!(s: PSI_SL, L_R)),
     ],
     forces: listed!(s: M_L, M_T),
     worst: &[("greatest_heel", &s::PHI_MAX), ("greatest_trim", &s::THETA_MAX)],

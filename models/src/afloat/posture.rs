@@ -76,6 +76,11 @@ impl<C: Calc> Posture<C> {
         self.angles[0]
     }
 
+    /// Draft (m), slopes of the water along and across the hull.
+    pub fn lie(&self) -> [C; 3] {
+        [self.draft, self.slopes[0], self.slopes[1]]
+    }
+
     /// Draft (m) and slope of the water in the section at the origin.
     pub fn midship(&self) -> (C, C) {
         (self.draft, self.slopes[1])

@@ -31,16 +31,11 @@ impl<C: Calc> Lie<C> {
         let mut gravity = [all.along, all.across, all.up];
         let mut radius = cut.central().map(|second| second / volume);
         for tank in &on.tanks {
-            let slopes = [a.value(), b.value()];
-            let level = C::constant(tank.walls.map(&mut |x| x.value()).level(slopes, tank.volume.value()));
-            let found = tank.walls.cut([level, a, b]);
-            // A last step of Newton's method brings the derivatives.
-            let level = level + (tank.volume - found.volume) / found.area;
-            let found = tank.walls.cut([level, a, b]);
-            for (i, sum) in gravity.iter_mut().enumerate() {
-                *sum += tank.weight * (found.moment[i] - tank.volume * tank.centre[i]);
+            let (moved, seconds) = tank.leaning([a, b]);
+            for (sum, moved) in gravity.iter_mut().zip(moved) {
+                *sum += tank.weight * moved;
             }
-            for (radius, second) in radius.iter_mut().zip(found.central()) {
+            for (radius, second) in radius.iter_mut().zip(seconds) {
                 *radius -= tank.weight * second / all.weight;
             }
         }

@@ -1,20 +1,21 @@
 //! A floating crane as scenes describe it and books tell it.
 
-use std::sync::Arc;
-
 use crate::afloat::gust::GustGiven;
-use crate::afloat::hull::{BoxHull, Offsets};
 use crate::afloat::levers::{ToldHeel, raised};
 use crate::afloat::loss::LossRule;
 use crate::afloat::outline::{LEVERS, OUTLINE};
+use crate::afloat::shape;
 use crate::afloat::stages::{FloatingCrane, Given, MadeInputs};
+use crate::afloat::start::{self, DYNAMICS, InMotion, MOVING};
 use crate::afloat::symbols as s;
 use crate::afloat::weights::{CranePlace, HullMass, HullWind, TankGiven, Weighed, WindageArea};
 use crate::component::description::{Described, Description, Vocabulary};
 use crate::component::draw::Draw;
-use crate::component::mechanism::Entry;
+use crate::component::mechanism::{Entry, Solver};
+use crate::component::moving::MovingComponent;
+use crate::component::moving::smooth::SmoothPieces;
 use crate::component::outline::{Limit, Outline};
-use crate::component::sheet::{Check, Curve, Drawing, Sheet, Table};
+use crate::component::sheet::{Check, Curve, Drawing, Input, Sheet, Table};
 use crate::component::stages::Stages;
 use crate::component::standing::Standing;
 use crate::component::telling::{explained, numbered, sample};
@@ -23,14 +24,14 @@ use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::gravity;
 use crate::kernel::group::One;
 use crate::kernel::keys::keys;
-use crate::kernel::measure;
 use crate::kernel::schema::{Key, Kind, SOURCE, Values};
 use crate::kernel::sign::Sign;
 use crate::kernel::symbol::Symbol;
 use crate::kernel::unit::M_DEG;
+use crate::kernel::variable::Fault;
+use crate::parts::hanging;
 use crate::parts::motion::Motion;
 use crate::parts::plane::Point;
-use crate::parts::solid::{Triangle, TriangleMesh};
 
 /// Most masses, tanks, areas, sections and points of each.
 const MANY: usize = 64;
@@ -39,8 +40,15 @@ const MOST_POINTS: usize = 100;
 
 /// Keys of `[hull]`.
 pub const KEYS: &[Key] = keys! { s:
-    RHO_W > 0 [usually(1025.0)], L > 0 [optional], B > 0 [optional], D > 0 [optional], R [or_input], Q >= 0 [or_mass, or_input],
-    PHI_F > 0 [optional];
+    RHO_W > 0 [usually(1025.0)], L > 0 [optional], B > 0 [optional], D > 0 [optional], R [or_input], Q >= 0 [or_mass, or_input, over_time],
+    PHI_F > 0 [optional], L_R > 0 [optional], OMEGA_C [over_time, optional], PSI_SL [optional];
+    Key::choice(
+        "fidelity",
+        &["static", "swing"],
+        "How deep the hull is modelled: \"static\" (everything stands still), \"swing\" (it heaves, heels and pitches under a \
+         crane that slews by command and a load that swings on its rope).",
+    ),
+    Key::part("dynamics", DYNAMICS, "What heaves, heels and pitches, and how that is solved."),
     Key::new("sections", Kind::Tables(SECTION, MOST_SECTIONS), "Sections of the hull from stern to bow, instead of a box.").optional(),
     Key::new("masses", Kind::Tables(MASS, MANY), "The hull and all that stands on it, without liquids in tanks and the load."),
     Key::new("tanks", Kind::Tables(TANK, MANY), "Rectangular tanks that are not full.").optional(),
@@ -91,6 +99,9 @@ const MOTION: &[Key] = &Motion::keys(
 );
 const LIMITS: &[Key] = &Limit::keys::<7>(OUTLINE.limits);
 
+/// What the rates cost, in s.
+const COST: [f64; 2] = [1.5e-6, 0.0];
+
 /// Degrees up to which the curve of levers is drawn, and the steps of the area that is checked.
 const DRAWN: i32 = 60;
 const STRIPS: u32 = 200;
@@ -101,113 +112,12 @@ pub struct AfloatScene {
     given: Given<f64>,
     /// Whether the loss of load is judged by a ratio of areas.
     ratio: bool,
+    /// Longest step of the solver, in s, where it moves.
+    step: Option<f64>,
 }
 
 /// As scenes describe it.
 pub const ENTRY: Entry = Description::<AfloatScene>::entry("hull", KEYS);
-
-/// The box of a hull that has no sections; mistakes go to `found`.
-fn built(v: &Values, found: &mut Vec<Diagnostic>) -> Option<BoxHull<f64>> {
-    let has = |symbol: &Symbol| v.has(symbol.id);
-    let all = [&s::L, &s::B, &s::D];
-    match (v.has("sections"), all.iter().find(|symbol| has(symbol))) {
-        (true, Some(symbol)) => {
-            let what = format!("`{}` of a hull with sections", symbol.id);
-            found.push(v.refuse(symbol.id, what, "given twice", "remove it, or the sections"));
-        }
-        (false, _) if !all.iter().all(|symbol| has(symbol)) => {
-            let help = "give L, B and D of a box, or [[hull.sections]]";
-            found.push(v.refuse("L", "the hull has neither L, B and D nor sections", "no shape", help));
-        }
-        _ => {}
-    }
-    BoxHull::read(v).filter(|_| !v.has("sections"))
-}
-
-/// Sections as corners and faces; mistakes go to `found`.
-fn sections(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Offsets> {
-    let lengths = [
-        Key::quantity(&s::Y_H, Sign::NotNegative),
-        Key::quantity(&s::Z_H, Sign::Any),
-    ];
-    let point = |text: &str| {
-        let (y, z) = text.split_once(',')?;
-        let [y, z] = [(y, &lengths[0]), (z, &lengths[1])].map(|(text, key)| measure::number(text, key).ok());
-        Some([y?.value, z?.value])
-    };
-    let (before, tables) = (found.len(), v.tables("sections"));
-    let (mut points, mut half, mut last) = (Vec::new(), 0, f64::NEG_INFINITY);
-    for table in tables {
-        let x = table.number(s::X_H.id)?;
-        let mut side: Vec<[f64; 2]> = Vec::new();
-        for (text, span) in table.texts("points") {
-            match point(text).filter(|new| side.last().is_none_or(|last| last[1] <= new[1])) {
-                Some(new) => side.push(new),
-                None => found.push(
-                    Diagnostic::new(span.clone(), format!("\"{text}\" is no point of a section"), "not this")
-                        .help("write half breadth and height, from keel to deck: \"9 m, 0 m\", \"9 m, 4 m\""),
-                ),
-            }
-        }
-        half = if points.is_empty() { side.len() } else { half };
-        if side.len() != half || half < 2 {
-            let what = format!("a section with {} points, and the first has {half}", side.len());
-            let help = "give two points at least, as many in each section";
-            found.push(table.refuse("points", what, "not as many", help));
-        }
-        if x <= last {
-            let what = format!("a section at x_h = {}", s::X_H.written(x));
-            found.push(table.refuse(
-                s::X_H.id,
-                what,
-                "not before the last one",
-                "give sections from stern to bow",
-            ));
-        }
-        last = x;
-        points.extend(side.iter().map(|[y, z]| [x, *y, *z]));
-        points.extend(side.iter().rev().map(|[y, z]| [x, -y, *z]));
-    }
-    if tables.len() == 1 {
-        found.push(v.refuse(
-            "sections",
-            "a hull with one section",
-            "no volume",
-            "give two sections at least",
-        ));
-    }
-    (found.len() == before && !tables.is_empty()).then(|| {
-        let faces = faces(tables.len(), half);
-        let mesh = Arc::new(TriangleMesh { points, faces });
-        Offsets { mesh, half }
-    })
-}
-
-/// Between neighbouring sections, and at the ends: alike on both sides of the centre line.
-fn faces(count: usize, half: usize) -> Vec<Triangle> {
-    let ring = 2 * half;
-    let at = |section: usize, point: usize| (section * ring + point % ring) as u16;
-    let mut faces = Vec::new();
-    for section in 0..count - 1 {
-        for point in 0..ring {
-            let [a, b] = [at(section, point), at(section, point + 1)];
-            let [c, d] = [at(section + 1, point), at(section + 1, point + 1)];
-            if point < half {
-                faces.extend([[a, b, c], [b, d, c]])
-            } else {
-                faces.extend([[a, b, d], [a, d, c]])
-            }
-        }
-    }
-    for point in 0..half - 1 {
-        let quad = |section: usize| [point, point + 1, ring - 2 - point, ring - 1 - point].map(|i| at(section, i));
-        let [a, b, c, d] = quad(0);
-        faces.extend([[a, c, b], [a, d, c]]);
-        let [a, b, c, d] = quad(count - 1);
-        faces.extend([[a, b, c], [a, c, d]]);
-    }
-    faces
-}
 
 /// What is read of each table of a list.
 fn each<T>(v: &Values, name: &str, read: impl Fn(&Values) -> Option<T>) -> Option<Vec<T>> {
@@ -274,26 +184,29 @@ impl Described for AfloatScene {
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "afloat_symbol",
         own: &[s::ALL],
-        shared: &[gravity::ALL],
+        shared: &[gravity::ALL, hanging::ALL],
     };
 
     fn read(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<(AfloatScene, Motion)> {
         let before = found.len();
         let range = Motion::read(v.table("motion")?, found)?;
         suits(v, found);
-        let (built, offsets, wind) = (built(v, found), sections(v, found), v.table("wind"));
+        start::suits(v, found);
+        let (built, offsets, wind) = (shape::built(v, found), shape::sections(v, found), v.table("wind"));
         if found.len() > before {
             return None;
         }
         let one = |symbol: &'static Symbol| v.of(symbol).map(|value| One(symbol, value));
-        let open = |of: &Values, symbol: &'static Symbol| of.is_input(symbol.id).then_some(symbol);
+        let open = |of: &Values, symbol: &'static Symbol| {
+            (of.is_input(symbol.id) || of.course(symbol.id).is_some()).then_some(symbol)
+        };
         let inputs = [
             open(v, &s::R),
             open(v, &s::Q),
             v.table("pedestal").and_then(|table| open(table, &s::H_S)),
             wind.and_then(|wind| open(wind, &s::P_W)),
         ];
-        let given = Given {
+        let mut given = Given {
             psi: One(&s::PSI_SL, range.from),
             omega: One(&s::OMEGA_SL, range.speed),
             reach: one(&s::R)?,
@@ -314,11 +227,18 @@ impl Described for AfloatScene {
             rule: v.part("loss", LossRule::read)?,
             gust: v.part("gust", GustGiven::read)?,
             gravity: One(&s::G, gravity),
+            buoyed: None,
+            servo: None,
+            command: None,
+            moved: None,
+            roped: None,
             offsets,
             inputs: MadeInputs(inputs.into_iter().flatten().collect()),
         };
         let ratio = v.table("loss").is_some_and(|loss| loss.text("kind") == Some("ratio"));
-        Some((AfloatScene { given, ratio }, range))
+        let moves = InMotion::read(v, range.from);
+        let step = moves.and_then(|moves| moves.begin(v, &mut given, found));
+        (found.len() == before).then_some((AfloatScene { given, ratio, step }, range))
     }
 
     fn given(this: &Description<AfloatScene>) -> Given<f64> {
@@ -326,7 +246,71 @@ impl Described for AfloatScene {
     }
 
     fn levels(&self) -> Vec<&'static str> {
-        vec!["static"]
+        std::iter::once("static").chain(self.step.map(|_| "swing")).collect()
+    }
+
+    fn set_level(&mut self, level: &str) {
+        if level == "static" {
+            let given = &mut self.given;
+            (given.buoyed, given.servo, given.command) = (None, None, None);
+            (given.moved, given.roped, self.step) = (None, None, None);
+        }
+    }
+
+    fn unused(&self, level: &str) -> Vec<(&'static str, &'static [&'static str])> {
+        match level {
+            "static" => vec![("hull", &MOVING), ("dynamics", &[])],
+            _ => Vec::new(),
+        }
+    }
+
+    fn moving(this: &Description<AfloatScene>) -> Option<Result<MovingComponent, Fault>> {
+        let step = this.step?;
+        let mut start = vec![this.given.psi.1, this.given.omega.1];
+        this.given.moved?.map(&mut |_, value| start.push(value));
+        this.given.roped?.map(&mut |_, value| start.push(value));
+        Some(MovingComponent::new(this.standing(), |model| {
+            Ok(Box::new(SmoothPieces::new(model, &start, step)?))
+        }))
+    }
+
+    fn solver(&self) -> Option<Solver> {
+        self.step.map(|step| Solver {
+            step: ("dynamics", &s::STEP),
+            tolerance: ("dynamics", &s::STEP),
+            longest: step,
+            explicit: true,
+            cost: COST,
+        })
+    }
+
+    /// Where it begins, at rest.
+    fn arrange(&self, inputs: &mut Vec<Input>) {
+        let mut stands = |symbol, value| {
+            inputs.push(Input {
+                symbol,
+                value,
+                number: None,
+                chapter: "afloat_start",
+                given: None,
+                usual: true,
+            });
+            value
+        };
+        if let Some(motion) = &self.given.moved {
+            motion.map(&mut stands);
+        }
+        if let Some(load) = &self.given.roped {
+            load.map(&mut stands);
+        }
+    }
+
+    fn hangs_on(this: &Description<AfloatScene>) -> Option<[f64; 2]> {
+        this.given.roped.map(|load| [-load.r_z, this.given.gravity.1])
+    }
+
+    fn hang(&mut self, length: f64) {
+        self.given.roped = Some(start::hanging(length));
     }
 
     /// The area under the righting lever against the rise of the centre of gravity over that of buoyancy.
@@ -369,7 +353,10 @@ impl Described for AfloatScene {
             .given
             .rule
             .map(|_| if this.ratio { "afloat_ratio" } else { "afloat_cfr" });
-        let own = ["afloat_level_static", "afloat_hung", "afloat_liquids"];
+        let own = match this.step {
+            None => ["afloat_level_static", "afloat_hung", "afloat_liquids"],
+            Some(_) => ["afloat_level_swing", "afloat_heading", "afloat_water_added"],
+        };
         let wind = this.given.wind.map(|_| "afloat_wind");
         own.into_iter().chain(wind).chain(rule).collect()
     }

@@ -1,10 +1,13 @@
 //! A floating crane as a component: what it is given, and in which stages its equations follow from each other.
 
 use crate::afloat::gust::{Gust, GustGiven};
+use crate::afloat::head::HeadPlace;
 use crate::afloat::hull::{BoxHull, Floating, Offsets};
 use crate::afloat::levers::{RightingLever, ToldHeel, levers};
 use crate::afloat::loss::{LoadLost, LossRule, residual};
 use crate::afloat::posture::Posture;
+use crate::afloat::riding::{BuoyedMass, HullMotion, RidingHull, WaterForces, WettedHull, clearing};
+use crate::afloat::swaying::{RopedLoad, SlewingCommand, SlewingServo, Swaying};
 use crate::afloat::symbols as s;
 use crate::afloat::upright::{SmallAngles, Upright};
 use crate::afloat::weights::{CranePlace, DeadLoad, HullMass, HullWind, Loaded, TankGiven, WindageArea};
@@ -37,6 +40,11 @@ stages! {
         Parameter rule: Option<LossRule<C>>,
         Parameter gust: Option<GustGiven<C>>,
         Parameter gravity: One<C>,
+        Parameter buoyed: Option<BuoyedMass<C>>,
+        Parameter servo: Option<SlewingServo<C>>,
+        Input command: Option<SlewingCommand<C>>,
+        State moved: Option<HullMotion<C>>,
+        State roped: Option<RopedLoad<C>>,
         Fixed offsets: Option<Offsets>,
         Fixed inputs: MadeInputs,
     } find {
@@ -50,10 +58,25 @@ stages! {
         residual: C = residual(floating, loaded, posture, limit[!]) => A_RES;
         lost: LoadLost<C> = LoadLost::new(floating, dead, posture, limit[!], rule[!]);
         struck: Gust<C> = Gust::new(floating, loaded, posture, limit[!], gust[!], wind[!], areas);
+        riding: RidingHull<C> = RidingHull::new(moved[!], dead);
+        wetted: WettedHull<C> = WettedHull::new(floating, riding);
+        clear: C = clearing(floating, riding) => F_M;
+        head: HeadPlace<C> = HeadPlace::new(riding, crane, loaded, reach, psi);
+        forces: WaterForces<C> = WaterForces::new(moved[!], buoyed[!], riding, dead, wetted, density, gravity);
+        swaying: Swaying<C> = Swaying::new(
+            moved[!], buoyed[!], roped[!], servo[!], command[!], riding, head, forces, dead, load, gravity, omega);
     }
 }
 
 impl Component for FloatingCrane {
+    const STATES: [&'static [&'static Symbol]; 2] = [
+        listed!(s: PSI_SL, OMEGA_SL),
+        listed!(s:
+            D_PSI_SL, D_OMEGA_SL, D_H_G, D_PHI_X, D_THETA_Y, D_V_G, D_OMEGA_X, D_OMEGA_Y, D_R_X, D_R_Y, D_R_Z, D_W_X, D_W_Y,
+            D_W_Z
+        ),
+    ];
+
     const PORTS: &'static [Port] = ports! { s:
         axis "Slewing axis.": phi PSI_SL, w OMEGA_SL;
         head "Boom head, where the load hangs.": r R, z H_S, f Q;
@@ -71,6 +94,9 @@ impl Component for FloatingCrane {
     }
 
     fn update(known: &mut Known<f64>) -> Found<()> {
-        known.posture().map(|_| ())
+        match known.given.moved {
+            Some(_) => known.swaying().map(|_| ()),
+            None => known.posture().map(|_| ()),
+        }
     }
 }

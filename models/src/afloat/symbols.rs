@@ -2,6 +2,7 @@
 
 pub use crate::kernel::gravity::G;
 use crate::kernel::symbol::symbols;
+pub use crate::parts::hanging::{KAPPA_R, L_R, S_R};
 
 symbols! {
     // Given.
@@ -122,6 +123,90 @@ symbols! {
     PHI_DYN: "phi_dyn" "phi_\"dyn\"" RAD / DEG, "Heel to which the hull rolls when the sudden wind strikes.", "virtual work";
     M_C: "M_c" "M_c" N_M / KN_M, "Least moment, the same at every heel, that capsizes the hull when it strikes: tangent of the dynamic lever, up to the heel that counts.", "[Ports001, 7.3]";
     K_C: "K_c" "K_c" ONE / ONE [infinite("without a sudden wind")], "Moment that capsizes over that of the sudden wind.", "[Ports001, 7.3]";
+
+    // Given of the motion.
+    OMEGA_C: "omega_csl" "omega_(c \"sl\")" RAD_PER_S / DEG_PER_S, "Commanded angular velocity of slewing.", "input";
+    T_SL: "T_sl" "T_\"sl\"" S / S [positive], "Time constant with which slewing follows its command.", "input";
+    M_A: "m_a" "m_a" KG / T [not_negative], "Mass of water that goes up and down with the hull.", "input";
+    J_X: "J_x" "J_x" KG_M2 / T_M2 [positive], "Inertia of all but the load about an axis along the hull through their centre of gravity, with the water that rolls too.", "input";
+    J_Y: "J_y" "J_y" KG_M2 / T_M2 [positive], "Inertia of all but the load about an axis across the hull through their centre of gravity, with the water that pitches too.", "input";
+    D_Z: "d_z" "d_z" N_S_PER_M / KN_S_PER_M [not_negative], "Damping of heaving.", "input";
+    D_X: "d_x" "d_x" N_M_S / KN_M_S [not_negative], "Damping of rolling.", "input";
+    D_Y: "d_y" "d_y" N_M_S / KN_M_S [not_negative], "Damping of pitching.", "input";
+    STEP: "step" "h" S / MS [positive], "Longest step of the solver.", "input";
+
+    // States.
+    H_G: "h_G" "h_G" M / M, "Centre of gravity of all but the load, above the water.", "state";
+    PHI_X: "phi_x" "phi_x" RAD / DEG, "Heel in motion; positive lowers the left side.", "state";
+    THETA_Y: "theta_y" "theta_y" RAD / DEG, "Pitch: angle of the hull's long axis below the horizontal; positive lowers the bow.", "state";
+    V_G: "v_G" "v_G" M_PER_S / M_PER_S, "Speed of heaving, upward.", "state";
+    OMEGA_X: "omega_x" "omega_x" RAD_PER_S / DEG_PER_S, "Angular velocity of rolling.", "state";
+    OMEGA_Y: "omega_y" "omega_y" RAD_PER_S / DEG_PER_S, "Angular velocity of pitching.", "state";
+    R_X: "r_x" "r_x" M / M, "Load, horizontally forward of the head.", "state";
+    R_Y: "r_y" "r_y" M / M, "Load, horizontally to the left of the head.", "state";
+    R_Z: "r_z" "r_z" M / M, "Load, above the head.", "state";
+    W_X: "w_x" "w_x" M_PER_S / M_PER_S, "Speed of the load forward, from the head.", "state";
+    W_Y: "w_y" "w_y" M_PER_S / M_PER_S, "Speed of the load to the left, from the head.", "state";
+    W_Z: "w_z" "w_z" M_PER_S / M_PER_S, "Speed of the load upward, from the head.", "state";
+
+    // How the hull lies while it moves.
+    X_G: "x_G" "x_G" M / M, "Centre of gravity of all but the load, forward of the origin.", "derived";
+    Y_G: "y_G" "y_G" M / M, "Centre of gravity of all but the load, to the left of the centre line.", "derived";
+    Z_G0: "z_G0" "z_(G 0)" M / M, "Centre of gravity of all but the load, above the keel.", "derived";
+    T_X: "t_x" "t_x" ONE / ONE, "Slope of the water along the hull in motion.", "geometry";
+    T_Y: "t_y" "t_y" ONE / ONE, "Slope of the water across the hull in motion.", "geometry";
+    T_M: "T_m" "T_m" M / M, "Draft at the origin in motion, along the hull's own vertical.", "geometry";
+    NABLA_M: "nabla_m" "nabla_m" M3 / M3, "Displaced volume in motion.", "derived";
+    K_X: "K_x" "K_x" N_M / KN_M, "Moment of the displaced water less that of liquids that have moved, about the axis across the hull.", "equilibrium";
+    K_Y: "K_y" "K_y" N_M / KN_M, "Moment of the displaced water less that of liquids that have moved, about the centre line.", "equilibrium";
+    K_Z: "K_z" "K_z" N_M / KN_M, "Moment of the displaced water less that of liquids that have moved, about the keel.", "equilibrium";
+    F_M: "f_m" "f_m" M / M, "Least freeboard of all points of the deck edge in motion; negative under water.", "derived";
+
+    // What moves it.
+    F_Z: "F_z" "F_z" N / KN, "Force of water and weights that lifts the hull, without the rope's.", "virtual work";
+    D_KX: "D_x" "D_x" N_M / KN_M, "Moment of water less weights for a point of support at the centre of gravity, along the hull.", "virtual work";
+    D_KY: "D_y" "D_y" N_M / KN_M, "Moment of water less weights for a point of support at the centre of gravity, across the hull.", "virtual work";
+    D_KZ: "D_z" "D_z" N_M / KN_M, "Moment of water less weights for a point of support at the centre of gravity, up the hull.", "virtual work";
+    M_X: "M_x" "M_x" N_M / KN_M, "Moment that rolls the hull, without the rope's; positive lowers the left side.", "virtual work";
+    M_Y: "M_y" "M_y" N_M / KN_M, "Moment that pitches the hull, without the rope's; positive lowers the bow.", "virtual work";
+    S_X: "s_x" "s_x" M / M, "Head, horizontally forward of the hull's centre of gravity.", "geometry";
+    S_Y: "s_y" "s_y" M / M, "Head, horizontally to the left of the hull's centre of gravity.", "geometry";
+    S_Z: "s_z" "s_z" M / M, "Head, above the hull's centre of gravity.", "geometry";
+    S_V: "s_v" "s_v" M / M, "Head from the hull's centre of gravity, square to the long axis in a vertical plane.", "geometry";
+    XI: "xi" "xi" M / M, "Reach along the hull.", "geometry";
+    ETA: "eta" "eta" M / M, "Reach across the hull.", "geometry";
+    N_X: "n_x" "n_x" ONE / ONE, "Direction of the rope from the head, forward.", "derived";
+    N_Y: "n_y" "n_y" ONE / ONE, "Direction of the rope from the head, to the left.", "derived";
+    N_Z: "n_z" "n_z" ONE / ONE, "Direction of the rope from the head, upward.", "derived";
+    S_Q: "s_Q" "s_Q" M / M, "Distance of the load from the head: the rope's length.", "derived";
+    W_E: "w_e" "w_e" M_PER_S / M_PER_S, "Speed along the rope: rounding alone.", "derived";
+    A_PHI: "a_phi" "a_phi" M / M, "Travel of the head along the rope for one radian of heel.", "virtual work";
+    A_THETA: "a_theta" "a_theta" M / M, "Travel of the head along the rope for one radian of pitch.", "virtual work";
+    C_X: "c_x" "c_x" M_PER_S2 / M_PER_S2, "Acceleration of the head forward, were heave, heel and pitch to keep their speeds.", "kinematics";
+    C_Y: "c_y" "c_y" M_PER_S2 / M_PER_S2, "Acceleration of the head to the left, were heave, heel and pitch to keep their speeds.", "kinematics";
+    C_Z: "c_z" "c_z" M_PER_S2 / M_PER_S2, "Acceleration of the head upward, were heave, heel and pitch to keep their speeds.", "kinematics";
+    M_Q: "m_Q" "m_Q" KG / T [not_negative], "Mass of the load: weight over g.", "derived";
+    M_0: "m_0" "m_0" KG / T, "Mass that heaves, with the water that goes with it.", "derived";
+    A_N: "a_N" "a_N" M_PER_S2 / M_PER_S2, "Acceleration along the rope that its force must take from the load.", "Lagrange, first kind";
+    A_R: "a_R" "a_R" M_PER_S2 / M_PER_S2, "Force of the rope over the mass of the load.", "Lagrange, first kind";
+    PHI_ROPE: "phi_R" "phi_R" RAD / DEG, "Angle of the rope from the vertical along the hull; positive swings the load forward.", "derived";
+    CHI_ROPE: "chi_R" "chi_R" RAD / DEG, "Angle of the rope from that plane; positive swings the load to the left.", "derived";
+
+    // Rates of the states.
+    D_PSI_SL: "der(psi_sl)" "dot(psi)_\"sl\"" RAD_PER_S / RAD_PER_S, "Rate of the slewing angle.", "state";
+    D_OMEGA_SL: "der(omega_sl)" "dot(omega)_\"sl\"" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of slewing.", "state";
+    D_H_G: "der(h_G)" "dot(h)_G" M_PER_S / M_PER_S, "Rate of the height of the centre of gravity.", "state";
+    D_PHI_X: "der(phi_x)" "dot(phi)_x" RAD_PER_S / RAD_PER_S, "Rate of the heel.", "state";
+    D_THETA_Y: "der(theta_y)" "dot(theta)_y" RAD_PER_S / RAD_PER_S, "Rate of the pitch.", "state";
+    D_V_G: "der(v_G)" "dot(v)_G" M_PER_S2 / M_PER_S2, "Acceleration of heaving.", "Lagrange, first kind";
+    D_OMEGA_X: "der(omega_x)" "dot(omega)_x" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of rolling.", "Lagrange, first kind";
+    D_OMEGA_Y: "der(omega_y)" "dot(omega)_y" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of pitching.", "Lagrange, first kind";
+    D_R_X: "der(r_x)" "dot(r)_x" M_PER_S / M_PER_S, "Rate of the load's place forward of the head.", "state";
+    D_R_Y: "der(r_y)" "dot(r)_y" M_PER_S / M_PER_S, "Rate of the load's place to the left of the head.", "state";
+    D_R_Z: "der(r_z)" "dot(r)_z" M_PER_S / M_PER_S, "Rate of the load's place above the head.", "state";
+    D_W_X: "der(w_x)" "dot(w)_x" M_PER_S2 / M_PER_S2, "Acceleration of the load forward, from the head.", "Lagrange, first kind";
+    D_W_Y: "der(w_y)" "dot(w)_y" M_PER_S2 / M_PER_S2, "Acceleration of the load to the left, from the head.", "Lagrange, first kind";
+    D_W_Z: "der(w_z)" "dot(w)_z" M_PER_S2 / M_PER_S2, "Acceleration of the load upward, from the head.", "Lagrange, first kind";
 
     // The whole range.
     PHI_MAX: "phi_max" "phi_max" RAD / DEG, "Greatest heel in the working range, by amount.", "derived";

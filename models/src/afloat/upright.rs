@@ -89,6 +89,13 @@ results! { Upright as u => {
     PHI_B: u.hull[7];
 } }
 
+impl<C: Calc> Upright<C> {
+    /// Area of the waterplane, in m².
+    pub fn waterplane(&self) -> C {
+        self.hull[3]
+    }
+}
+
 impl<C: Scalar> Upright<C> {
     /// ∇ = W/(ρ g), BM = I/∇, GG = Σ ρ_t g i_t/W, GM = z_B + BM − z_G − GG. [Ports001, 7.3]
     ///

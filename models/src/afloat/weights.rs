@@ -70,6 +70,8 @@ impl<C: Calc> Weighed<C> {
 #[derive(Clone, Copy, Debug)]
 pub struct DeadLoad<C> {
     pub all: Weighed<C>,
+    /// Those of the weights alone.
+    pub own: [C; 2],
     wind: Option<C>,
 }
 results! { DeadLoad as d => {
@@ -110,9 +112,10 @@ impl<C: Calc> DeadLoad<C> {
             let arms = sum(areas.iter().map(|area| area.a_w * (area.z_w - wind.z_l)));
             ((wind.p_w * arms).def(&s::M_W), wind.chi_w.sin_cos())
         });
+        let own = [along, across];
         let [along, across] = match blown {
             Some((moment, (sin, cos))) => [along + moment * cos, across + moment * sin],
-            None => [along, across],
+            None => own,
         };
         let all = Weighed {
             weight,
@@ -122,6 +125,7 @@ impl<C: Calc> DeadLoad<C> {
         };
         Ok(DeadLoad {
             all,
+            own,
             wind: blown.map(|(moment, _)| moment),
         })
     }
@@ -131,8 +135,8 @@ impl<C: Calc> DeadLoad<C> {
 #[derive(Clone, Copy, Debug)]
 pub struct Loaded<C> {
     pub all: Weighed<C>,
-    x: C,
-    y: C,
+    pub x: C,
+    pub y: C,
     pub height: C,
 }
 results! { Loaded as l => { X_Q: l.x; Y_Q: l.y; W: l.all.weight; M_L: l.all.along; M_T: l.all.across; Z_G: l.height; } }

@@ -148,7 +148,9 @@ fn check_value(
                 None
             }
         },
-        (Kind::Quantity(..), DeValue::Table(table)) if !key.between.is_empty() && table.contains_key(OVER) => {
+        (Kind::Quantity(..) | Kind::Weight(..), DeValue::Table(table))
+            if !key.between.is_empty() && table.contains_key(OVER) =>
+        {
             over_time(source, table, value.span(), path, key, found)
         }
         (Kind::Quantity(..) | Kind::Weight(..), DeValue::Table(table)) => {

@@ -198,16 +198,7 @@ impl Trade {
         for reference in &references {
             let before = rows.len();
             for setting in Setting::all(scene, reference.level, sample) {
-                match row(
-                    scene,
-                    &experiment,
-                    setting,
-                    &names,
-                    &asked,
-                    reference,
-                    &truth,
-                    rounds,
-                ) {
+                match row(scene, &experiment, setting, &names, &asked, reference, &truth, rounds) {
                     Ok(row) => rows.push(row),
                     Err(fault) => refused.push((setting, fault)),
                 }

@@ -1,0 +1,144 @@
+//! The load on its rope under the head of a crane that slews on a hull in motion: the rope's length is a constraint, its force
+//! the multiplier that keeps it. [Lagrange, first kind]
+//!
+//! Places and speeds of the load are seen from the head, in directions that do not turn: along the hull's heading, to the left,
+//! up.
+
+use nalgebra::Vector3;
+
+use crate::afloat::head::HeadPlace;
+use crate::afloat::riding::{BuoyedMass, HullMotion, RidingHull, WaterForces};
+use crate::afloat::symbols as s;
+use crate::afloat::weights::DeadLoad;
+use crate::component::stages::results;
+use crate::kernel::calc::Calc;
+use crate::kernel::group::{One, quantities};
+use crate::kernel::symbol::{Symbol, listed};
+use crate::kernel::variable::Fault;
+use crate::parts::hanging::{dot, squared};
+
+quantities! {
+    /// The load from the head, and its speed from there.
+    RopedLoad { r_x: R_X, r_y: R_Y, r_z: R_Z, w_x: W_X, w_y: W_Y, w_z: W_Z }
+}
+
+quantities! {
+    /// How fast slewing follows its command.
+    SlewingServo { t_sl: T_SL }
+}
+
+quantities! {
+    /// What slewing is commanded.
+    SlewingCommand { omega_c: OMEGA_C }
+}
+
+/// How hull and load accelerate (m/s², rad/s²), the rope's force (N), and where the load is from the head.
+#[derive(Clone, Copy, Debug)]
+pub struct Swaying<C> {
+    slewing: [C; 2],
+    rates: [C; 3],
+    hull: [C; 3],
+    speed: Vector3<C>,
+    load: Vector3<C>,
+    rope: C,
+    place: Vector3<C>,
+}
+results! { Swaying as w => {
+    S_R: w.rope;
+    PHI_ROPE: C::direction(-w.place.x, -w.place.z) - C::constant(std::f64::consts::FRAC_PI_2);
+    CHI_ROPE: C::direction((w.place.x.square() + w.place.z.square()).sqrt(), w.place.y);
+    D_PSI_SL: w.slewing[0];
+    D_OMEGA_SL: w.slewing[1];
+    D_H_G: w.rates[0];
+    D_PHI_X: w.rates[1];
+    D_THETA_Y: w.rates[2];
+    D_V_G: w.hull[0];
+    D_OMEGA_X: w.hull[1];
+    D_OMEGA_Y: w.hull[2];
+    D_R_X: w.speed.x;
+    D_R_Y: w.speed.y;
+    D_R_Z: w.speed.z;
+    D_W_X: w.load.x;
+    D_W_Y: w.load.y;
+    D_W_Z: w.load.z;
+} }
+
+/// Where the rope points, how long it is (m), and how fast the load goes across it (m/s).
+fn rope<C: Calc>(load: &RopedLoad<C>) -> (Vector3<C>, C, Vector3<C>) {
+    let place = Vector3::new(load.r_x, load.r_y, load.r_z);
+    let length = squared(place).sqrt().def(&s::S_Q);
+    let along = Vector3::new(
+        (place.x / length).def(&s::N_X),
+        (place.y / length).def(&s::N_Y),
+        (place.z / length).def(&s::N_Z),
+    );
+    let speed = Vector3::new(load.w_x, load.w_y, load.w_z);
+    let excess = dot(along, speed).def(&s::W_E);
+    (along, length, speed - along * excess)
+}
+
+impl<C: Calc> Swaying<C> {
+    /// With arms a_i = n · ∂s/∂q_i and S_R = m_Q a_R: a_R (1 + m_Q Σ a_i²/m_i) = w²/s_Q − g n_z − n · c − Σ a_i F_i/m_i, and each
+    /// coordinate accelerates with (F_i + a_i S_R)/m_i, the load from the head with −g e_z − a_R n − c − Σ ∂s/∂q_i q̈_i.
+    ///
+    /// # Errors
+    /// A rope that would push.
+    #[expect(clippy::too_many_arguments, reason = "all that moves it")]
+    pub fn new(
+        motion: &HullMotion<C>,
+        buoyed: &BuoyedMass<C>,
+        roped: &RopedLoad<C>,
+        servo: &SlewingServo<C>,
+        command: &SlewingCommand<C>,
+        riding: &RidingHull<C>,
+        head: &HeadPlace<C>,
+        forces: &WaterForces<C>,
+        dead: &DeadLoad<C>,
+        load: &One<C>,
+        gravity: &One<C>,
+        omega: &One<C>,
+    ) -> Result<Swaying<C>, Fault> {
+        let (along, length, speed) = rope(roped);
+        let slewing = ((command.omega_c - **omega) / servo.t_sl).def(&s::D_OMEGA_SL);
+        let rates = [motion.omega_x, motion.omega_y, **omega];
+        let carried = head.carried(riding, rates, slewing);
+        let [rolled, pitched, _] = head.turned(riding);
+        let arms = [
+            along.z,
+            dot(along, rolled).def(&s::A_PHI),
+            dot(along, pitched).def(&s::A_THETA),
+        ];
+        let heaving = (dead.all.weight / **gravity + buoyed.m_a).def(&s::M_0);
+        let (mass, masses) = ((**load / **gravity).def(&s::M_Q), [heaving, buoyed.j_x, buoyed.j_y]);
+        let mut need = squared(speed) / length - **gravity * along.z - dot(along, carried);
+        let mut give = C::constant(1.0);
+        for i in 0..3 {
+            need -= arms[i] * forces.all[i] / masses[i];
+            give += mass * arms[i].square() / masses[i];
+        }
+        let pull = (need.def(&s::A_N) / give.def(&s::KAPPA_R)).def(&s::A_R);
+        if pull.value() < 0.0 {
+            return Err(Fault::outside(
+                "the rope would push the load: it goes slack, which this level has not; slew less hard, or give a longer rope",
+            ));
+        }
+        let force = (mass * pull).def(&s::S_R);
+        let names: &[&'static Symbol; 3] = listed!(s: D_V_G, D_OMEGA_X, D_OMEGA_Y);
+        let hull = [0, 1, 2].map(|i| ((forces.all[i] + arms[i] * force) / masses[i]).def(names[i]));
+        let own = -(along * pull) - carried - rolled * hull[1] - pitched * hull[2];
+        let fall = Vector3::new(
+            own.x.def(&s::D_W_X),
+            own.y.def(&s::D_W_Y),
+            (own.z - **gravity - hull[0]).def(&s::D_W_Z),
+        );
+        Ok(Swaying {
+            slewing: [**omega, slewing],
+            rates: [motion.v_g, motion.omega_x, motion.omega_y],
+            hull,
+            speed,
+            load: fall,
+            rope: force,
+            place: Vector3::new(roped.r_x, roped.r_y, roped.r_z),
+        })
+    }
+}
