@@ -55,6 +55,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
         gust.keep("phi_a", true);
         gust.set("phi_a", roll);
     }
+    motion(&mut n, weight * load, [weight / g, long, broad]);
     let end = n.draw.between(0.3, 0.5);
     n.keep("phi_f", true);
     n.set("phi_f", end);
@@ -66,6 +67,44 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     }
     working_range(&mut n, [-PI, PI]);
     table
+}
+
+/// Of a hull of a mass (kg), a length and a breadth (m) that moves; a load (N) that is no command where it stands still.
+fn motion(n: &mut Node, load: f64, [mass, long, broad]: [f64; 3]) {
+    if n.text("fidelity") != Some("swing") {
+        n.remove(&["l_R", "omega_csl", "psi_sl", "dynamics"]);
+        let load = n.draw.written(&s::Q, load).0;
+        n.put("Q", Table::from_iter([("input".to_owned(), Value::from(load))]));
+        return;
+    }
+    let (size, natural) = (n.draw.scale[0], (n.draw.scale[0] / n.draw.g).sqrt());
+    n.keep("l_R", true);
+    let rope = size * n.draw.between(0.1, 0.5);
+    n.set("l_R", rope);
+    if n.has("omega_csl") {
+        let speed = n.draw.between(-0.1, 0.1) / natural;
+        n.set("omega_csl", speed);
+    }
+    n.keep("dynamics", true);
+    let mut dynamics = n.child("dynamics").expect("kept");
+    dynamics.keep("step", false);
+    let lag = natural * dynamics.draw.between(0.3, 2.0);
+    let about = |across: f64| 0.1 * mass * across * across;
+    for (name, value) in [
+        ("m_a", mass),
+        ("J_x", about(broad)),
+        ("J_y", about(long)),
+        ("T_sl", lag),
+    ] {
+        dynamics.keep(name, true);
+        dynamics.set(name, value);
+    }
+    for (name, value) in [("d_z", mass), ("d_x", about(broad)), ("d_y", about(long))] {
+        if dynamics.has(name) {
+            let part = dynamics.draw.between(0.0, 0.2);
+            dynamics.set(name, part * value / natural);
+        }
+    }
 }
 
 /// A box, or the sections of one, of a length, a breadth and a depth.

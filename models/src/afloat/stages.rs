@@ -7,7 +7,7 @@ use crate::afloat::levers::{RightingLever, ToldHeel, levers};
 use crate::afloat::loss::{LoadLost, LossRule, residual};
 use crate::afloat::posture::Posture;
 use crate::afloat::riding::{BuoyedMass, HullMotion, RidingHull, WaterForces, WettedHull, clearing};
-use crate::afloat::swaying::{RopedLoad, SlewingCommand, SlewingServo, Swaying};
+use crate::afloat::swaying::{RopedLoad, SlewingCommand, SlewingServo, Swaying, SwayingRates};
 use crate::afloat::symbols as s;
 use crate::afloat::upright::{SmallAngles, Upright};
 use crate::afloat::weights::{CranePlace, DeadLoad, HullMass, HullWind, Loaded, TankGiven, WindageArea};
@@ -65,6 +65,7 @@ stages! {
         forces: WaterForces<C> = WaterForces::new(moved[!], buoyed[!], riding, dead, wetted, density, gravity);
         swaying: Swaying<C> = Swaying::new(
             moved[!], buoyed[!], roped[!], servo[!], command[!], riding, head, forces, dead, load, gravity, omega);
+        rates: SwayingRates<C> = SwayingRates::new(omega, moved[!], swaying);
     }
 }
 

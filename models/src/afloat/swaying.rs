@@ -35,8 +35,7 @@ quantities! {
 /// How hull and load accelerate (m/s², rad/s²), the rope's force (N), and where the load is from the head.
 #[derive(Clone, Copy, Debug)]
 pub struct Swaying<C> {
-    slewing: [C; 2],
-    rates: [C; 3],
+    slewing: C,
     hull: [C; 3],
     speed: Vector3<C>,
     load: Vector3<C>,
@@ -47,20 +46,6 @@ results! { Swaying as w => {
     S_R: w.rope;
     PHI_ROPE: C::direction(-w.place.x, -w.place.z) - C::constant(std::f64::consts::FRAC_PI_2);
     CHI_ROPE: C::direction((w.place.x.square() + w.place.z.square()).sqrt(), w.place.y);
-    D_PSI_SL: w.slewing[0];
-    D_OMEGA_SL: w.slewing[1];
-    D_H_G: w.rates[0];
-    D_PHI_X: w.rates[1];
-    D_THETA_Y: w.rates[2];
-    D_V_G: w.hull[0];
-    D_OMEGA_X: w.hull[1];
-    D_OMEGA_Y: w.hull[2];
-    D_R_X: w.speed.x;
-    D_R_Y: w.speed.y;
-    D_R_Z: w.speed.z;
-    D_W_X: w.load.x;
-    D_W_Y: w.load.y;
-    D_W_Z: w.load.z;
 } }
 
 /// Where the rope points, how long it is (m), and how fast the load goes across it (m/s).
@@ -117,7 +102,8 @@ impl<C: Calc> Swaying<C> {
             give += mass * arms[i].square() / masses[i];
         }
         let pull = (need.def(&s::A_N) / give.def(&s::KAPPA_R)).def(&s::A_R);
-        if pull.value() < 0.0 {
+        // What is left of a lost load pushes nothing.
+        if pull.value() < 0.0 && mass.value() > 0.0 {
             return Err(Fault::outside(
                 "the rope would push the load: it goes slack, which this level has not; slew less hard, or give a longer rope",
             ));
@@ -132,13 +118,47 @@ impl<C: Calc> Swaying<C> {
             (own.z - **gravity - hull[0]).def(&s::D_W_Z),
         );
         Ok(Swaying {
-            slewing: [**omega, slewing],
-            rates: [motion.v_g, motion.omega_x, motion.omega_y],
+            slewing,
             hull,
             speed,
             load: fall,
             rope: force,
             place: Vector3::new(roped.r_x, roped.r_y, roped.r_z),
         })
+    }
+}
+
+/// Rates of the states.
+#[derive(Clone, Copy, Debug)]
+pub struct SwayingRates<C> {
+    slewing: [C; 2],
+    hull: [C; 6],
+    load: [Vector3<C>; 2],
+}
+results! { SwayingRates as r => {
+    D_PSI_SL: r.slewing[0];
+    D_OMEGA_SL: r.slewing[1];
+    D_H_G: r.hull[0];
+    D_PHI_X: r.hull[1];
+    D_THETA_Y: r.hull[2];
+    D_V_G: r.hull[3];
+    D_OMEGA_X: r.hull[4];
+    D_OMEGA_Y: r.hull[5];
+    D_R_X: r.load[0].x;
+    D_R_Y: r.load[0].y;
+    D_R_Z: r.load[0].z;
+    D_W_X: r.load[1].x;
+    D_W_Y: r.load[1].y;
+    D_W_Z: r.load[1].z;
+} }
+
+impl<C: Calc> SwayingRates<C> {
+    pub fn new(omega: &One<C>, motion: &HullMotion<C>, swaying: &Swaying<C>) -> SwayingRates<C> {
+        let [heaving, rolling, pitching] = swaying.hull;
+        SwayingRates {
+            slewing: [**omega, swaying.slewing],
+            hull: [motion.v_g, motion.omega_x, motion.omega_y, heaving, rolling, pitching],
+            load: [swaying.speed, swaying.load],
+        }
     }
 }

@@ -136,26 +136,26 @@ symbols! {
     STEP: "step" "h" S / MS [positive], "Longest step of the solver.", "input";
 
     // States.
-    H_G: "h_G" "h_G" M / M, "Centre of gravity of all but the load, above the water.", "state";
-    PHI_X: "phi_x" "phi_x" RAD / DEG, "Heel in motion; positive lowers the left side.", "state";
-    THETA_Y: "theta_y" "theta_y" RAD / DEG, "Pitch: angle of the hull's long axis below the horizontal; positive lowers the bow.", "state";
-    V_G: "v_G" "v_G" M_PER_S / M_PER_S, "Speed of heaving, upward.", "state";
-    OMEGA_X: "omega_x" "omega_x" RAD_PER_S / DEG_PER_S, "Angular velocity of rolling.", "state";
-    OMEGA_Y: "omega_y" "omega_y" RAD_PER_S / DEG_PER_S, "Angular velocity of pitching.", "state";
-    R_X: "r_x" "r_x" M / M, "Load, horizontally forward of the head.", "state";
-    R_Y: "r_y" "r_y" M / M, "Load, horizontally to the left of the head.", "state";
-    R_Z: "r_z" "r_z" M / M, "Load, above the head.", "state";
-    W_X: "w_x" "w_x" M_PER_S / M_PER_S, "Speed of the load forward, from the head.", "state";
-    W_Y: "w_y" "w_y" M_PER_S / M_PER_S, "Speed of the load to the left, from the head.", "state";
-    W_Z: "w_z" "w_z" M_PER_S / M_PER_S, "Speed of the load upward, from the head.", "state";
+    H_G: "h_G" "h_G" M / M, "Centre of gravity of all but the load, above the water.", "equations of motion";
+    PHI_X: "phi_x" "phi_x" RAD / DEG, "Heel in motion; positive lowers the left side.", "equations of motion";
+    THETA_Y: "theta_y" "theta_y" RAD / DEG, "Pitch: angle of the hull's long axis below the horizontal; positive lowers the bow.", "equations of motion";
+    V_G: "v_G" "v_G" M_PER_S / M_PER_S, "Speed of heaving, upward.", "equations of motion";
+    OMEGA_X: "omega_x" "omega_x" RAD_PER_S / DEG_PER_S, "Angular velocity of rolling.", "equations of motion";
+    OMEGA_Y: "omega_y" "omega_y" RAD_PER_S / DEG_PER_S, "Angular velocity of pitching.", "equations of motion";
+    R_X: "r_x" "r_x" M / M, "Load, horizontally forward of the head.", "equations of motion";
+    R_Y: "r_y" "r_y" M / M, "Load, horizontally to the left of the head.", "equations of motion";
+    R_Z: "r_z" "r_z" M / M, "Load, above the head.", "equations of motion";
+    W_X: "w_x" "w_x" M_PER_S / M_PER_S, "Speed of the load forward, from the head.", "equations of motion";
+    W_Y: "w_y" "w_y" M_PER_S / M_PER_S, "Speed of the load to the left, from the head.", "equations of motion";
+    W_Z: "w_z" "w_z" M_PER_S / M_PER_S, "Speed of the load upward, from the head.", "equations of motion";
 
     // How the hull lies while it moves.
     X_G: "x_G" "x_G" M / M, "Centre of gravity of all but the load, forward of the origin.", "derived";
     Y_G: "y_G" "y_G" M / M, "Centre of gravity of all but the load, to the left of the centre line.", "derived";
     Z_G0: "z_G0" "z_(G 0)" M / M, "Centre of gravity of all but the load, above the keel.", "derived";
-    T_X: "t_x" "t_x" ONE / ONE, "Slope of the water along the hull in motion.", "geometry";
-    T_Y: "t_y" "t_y" ONE / ONE, "Slope of the water across the hull in motion.", "geometry";
-    T_M: "T_m" "T_m" M / M, "Draft at the origin in motion, along the hull's own vertical.", "geometry";
+    T_X: "t_x" "t_x" ONE / ONE, "Slope of the water along the hull in motion.", "derived";
+    T_Y: "t_y" "t_y" ONE / ONE, "Slope of the water across the hull in motion.", "derived";
+    T_M: "T_m" "T_m" M / M, "Draft at the origin in motion, along the hull's own vertical.", "derived";
     NABLA_M: "nabla_m" "nabla_m" M3 / M3, "Displaced volume in motion.", "derived";
     K_X: "K_x" "K_x" N_M / KN_M, "Moment of the displaced water less that of liquids that have moved, about the axis across the hull.", "equilibrium";
     K_Y: "K_y" "K_y" N_M / KN_M, "Moment of the displaced water less that of liquids that have moved, about the centre line.", "equilibrium";
@@ -169,12 +169,12 @@ symbols! {
     D_KZ: "D_z" "D_z" N_M / KN_M, "Moment of water less weights for a point of support at the centre of gravity, up the hull.", "virtual work";
     M_X: "M_x" "M_x" N_M / KN_M, "Moment that rolls the hull, without the rope's; positive lowers the left side.", "virtual work";
     M_Y: "M_y" "M_y" N_M / KN_M, "Moment that pitches the hull, without the rope's; positive lowers the bow.", "virtual work";
-    S_X: "s_x" "s_x" M / M, "Head, horizontally forward of the hull's centre of gravity.", "geometry";
-    S_Y: "s_y" "s_y" M / M, "Head, horizontally to the left of the hull's centre of gravity.", "geometry";
-    S_Z: "s_z" "s_z" M / M, "Head, above the hull's centre of gravity.", "geometry";
-    S_V: "s_v" "s_v" M / M, "Head from the hull's centre of gravity, square to the long axis in a vertical plane.", "geometry";
-    XI: "xi" "xi" M / M, "Reach along the hull.", "geometry";
-    ETA: "eta" "eta" M / M, "Reach across the hull.", "geometry";
+    S_X: "s_x" "s_x" M / M, "Head, horizontally forward of the hull's centre of gravity.", "derived";
+    S_Y: "s_y" "s_y" M / M, "Head, horizontally to the left of the hull's centre of gravity.", "derived";
+    S_Z: "s_z" "s_z" M / M, "Head, above the hull's centre of gravity.", "derived";
+    S_V: "s_v" "s_v" M / M, "Head from the hull's centre of gravity, square to the long axis in a vertical plane.", "derived";
+    XI: "xi" "xi" M / M, "Reach along the hull.", "derived";
+    ETA: "eta" "eta" M / M, "Reach across the hull.", "derived";
     N_X: "n_x" "n_x" ONE / ONE, "Direction of the rope from the head, forward.", "derived";
     N_Y: "n_y" "n_y" ONE / ONE, "Direction of the rope from the head, to the left.", "derived";
     N_Z: "n_z" "n_z" ONE / ONE, "Direction of the rope from the head, upward.", "derived";
@@ -182,31 +182,31 @@ symbols! {
     W_E: "w_e" "w_e" M_PER_S / M_PER_S, "Speed along the rope: rounding alone.", "derived";
     A_PHI: "a_phi" "a_phi" M / M, "Travel of the head along the rope for one radian of heel.", "virtual work";
     A_THETA: "a_theta" "a_theta" M / M, "Travel of the head along the rope for one radian of pitch.", "virtual work";
-    C_X: "c_x" "c_x" M_PER_S2 / M_PER_S2, "Acceleration of the head forward, were heave, heel and pitch to keep their speeds.", "kinematics";
-    C_Y: "c_y" "c_y" M_PER_S2 / M_PER_S2, "Acceleration of the head to the left, were heave, heel and pitch to keep their speeds.", "kinematics";
-    C_Z: "c_z" "c_z" M_PER_S2 / M_PER_S2, "Acceleration of the head upward, were heave, heel and pitch to keep their speeds.", "kinematics";
+    C_X: "c_x" "c_x" M_PER_S2 / M_PER_S2, "Acceleration of the head forward, were heave, heel and pitch to keep their speeds.", "derived";
+    C_Y: "c_y" "c_y" M_PER_S2 / M_PER_S2, "Acceleration of the head to the left, were heave, heel and pitch to keep their speeds.", "derived";
+    C_Z: "c_z" "c_z" M_PER_S2 / M_PER_S2, "Acceleration of the head upward, were heave, heel and pitch to keep their speeds.", "derived";
     M_Q: "m_Q" "m_Q" KG / T [not_negative], "Mass of the load: weight over g.", "derived";
     M_0: "m_0" "m_0" KG / T, "Mass that heaves, with the water that goes with it.", "derived";
-    A_N: "a_N" "a_N" M_PER_S2 / M_PER_S2, "Acceleration along the rope that its force must take from the load.", "Lagrange, first kind";
-    A_R: "a_R" "a_R" M_PER_S2 / M_PER_S2, "Force of the rope over the mass of the load.", "Lagrange, first kind";
+    A_N: "a_N" "a_N" M_PER_S2 / M_PER_S2, "Acceleration along the rope that its force must take from the load.", "Lagrange";
+    A_R: "a_R" "a_R" M_PER_S2 / M_PER_S2, "Force of the rope over the mass of the load.", "Lagrange";
     PHI_ROPE: "phi_R" "phi_R" RAD / DEG, "Angle of the rope from the vertical along the hull; positive swings the load forward.", "derived";
     CHI_ROPE: "chi_R" "chi_R" RAD / DEG, "Angle of the rope from that plane; positive swings the load to the left.", "derived";
 
     // Rates of the states.
     D_PSI_SL: "der(psi_sl)" "dot(psi)_\"sl\"" RAD_PER_S / RAD_PER_S, "Rate of the slewing angle.", "state";
-    D_OMEGA_SL: "der(omega_sl)" "dot(omega)_\"sl\"" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of slewing.", "state";
+    D_OMEGA_SL: "der(omega_sl)" "dot(omega)_\"sl\"" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of slewing.", "derived";
     D_H_G: "der(h_G)" "dot(h)_G" M_PER_S / M_PER_S, "Rate of the height of the centre of gravity.", "state";
     D_PHI_X: "der(phi_x)" "dot(phi)_x" RAD_PER_S / RAD_PER_S, "Rate of the heel.", "state";
     D_THETA_Y: "der(theta_y)" "dot(theta)_y" RAD_PER_S / RAD_PER_S, "Rate of the pitch.", "state";
-    D_V_G: "der(v_G)" "dot(v)_G" M_PER_S2 / M_PER_S2, "Acceleration of heaving.", "Lagrange, first kind";
-    D_OMEGA_X: "der(omega_x)" "dot(omega)_x" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of rolling.", "Lagrange, first kind";
-    D_OMEGA_Y: "der(omega_y)" "dot(omega)_y" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of pitching.", "Lagrange, first kind";
+    D_V_G: "der(v_G)" "dot(v)_G" M_PER_S2 / M_PER_S2, "Acceleration of heaving.", "Lagrange";
+    D_OMEGA_X: "der(omega_x)" "dot(omega)_x" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of rolling.", "Lagrange";
+    D_OMEGA_Y: "der(omega_y)" "dot(omega)_y" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of pitching.", "Lagrange";
     D_R_X: "der(r_x)" "dot(r)_x" M_PER_S / M_PER_S, "Rate of the load's place forward of the head.", "state";
     D_R_Y: "der(r_y)" "dot(r)_y" M_PER_S / M_PER_S, "Rate of the load's place to the left of the head.", "state";
     D_R_Z: "der(r_z)" "dot(r)_z" M_PER_S / M_PER_S, "Rate of the load's place above the head.", "state";
-    D_W_X: "der(w_x)" "dot(w)_x" M_PER_S2 / M_PER_S2, "Acceleration of the load forward, from the head.", "Lagrange, first kind";
-    D_W_Y: "der(w_y)" "dot(w)_y" M_PER_S2 / M_PER_S2, "Acceleration of the load to the left, from the head.", "Lagrange, first kind";
-    D_W_Z: "der(w_z)" "dot(w)_z" M_PER_S2 / M_PER_S2, "Acceleration of the load upward, from the head.", "Lagrange, first kind";
+    D_W_X: "der(w_x)" "dot(w)_x" M_PER_S2 / M_PER_S2, "Acceleration of the load forward, from the head.", "Lagrange";
+    D_W_Y: "der(w_y)" "dot(w)_y" M_PER_S2 / M_PER_S2, "Acceleration of the load to the left, from the head.", "Lagrange";
+    D_W_Z: "der(w_z)" "dot(w)_z" M_PER_S2 / M_PER_S2, "Acceleration of the load upward, from the head.", "Lagrange";
 
     // The whole range.
     PHI_MAX: "phi_max" "phi_max" RAD / DEG, "Greatest heel in the working range, by amount.", "derived";

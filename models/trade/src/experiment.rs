@@ -8,7 +8,10 @@
 //! that would let as much oil through, each with what corrects the angle.
 //! A hoist rests meanwhile: it would lift for as long as the cycle lasts.
 
+use std::any::Any;
+
 use lemnis_models::component::model::Model;
+use lemnis_models::component::moving::MovingComponent;
 use lemnis_models::kernel::number::short;
 use lemnis_models::kernel::variable::{Fault, PART_OF_RANGE, Quantity, Role, Variable};
 use lemnis_models::parts::motion::Motion;
@@ -55,7 +58,8 @@ pub struct Experiment {
 const COMMANDS: [&str; 2] = ["M_A", "u_v"];
 /// That of a hoist.
 const HOIST: &str = "v_h";
-/// That of what slews alone, which follows no plan: the scene's own moment turns it.
+/// That of what slews alone, which follows no plan: the scene's own moment turns it. Anything else follows what its scene tells
+/// over time.
 const SLEWING: &str = "M_sl";
 
 /// What was seen at the communication points.
@@ -85,8 +89,8 @@ impl Experiment {
             }
         }
         let driven = COMMANDS.iter().any(|id| index(&model, id).is_some());
-        if !driven && index(&model, SLEWING).is_some() {
-            own = Some(SLEWING);
+        if !driven {
+            own = index(&model, SLEWING).map(|_| SLEWING).or_else(|| told(&model));
         }
         let cycle = Cycle::new(scene.mechanism.motion());
         let duration = if own.is_some() {
@@ -233,6 +237,13 @@ impl Experiment {
         tell(model, command)?;
         model.advance(from, from + self.sample)
     }
+}
+
+/// The first of the commands that the scene tells over time.
+fn told(model: &Model) -> Option<&'static str> {
+    let Model::Moving(moving) = model else { return None };
+    let moving = (&**moving as &dyn Any).downcast_ref::<MovingComponent>()?;
+    moving.told().first().map(|(_, (id, _))| *id)
 }
 
 fn tell(model: &mut Model, command: [(usize, f64); 2]) -> Result<(), Fault> {
