@@ -29,6 +29,7 @@ use single_boom::{
 };
 
 const SCENE: &str = include_str!("../scenes/curved_trunk.toml");
+const ORACLE: &str = include_str!("../../tests/oracles/trunk_motion.csv");
 const TRUNK: Trunk<f64> = Trunk {
     b: 20.0,
     a: 12.0,
@@ -428,4 +429,74 @@ fn nothing_is_allocated() {
     let before = counting::count();
     run(0.1);
     assert_eq!(counting::count(), before);
+}
+
+/// States and inputs of the reference's cases.
+const CASES: [(&str, &str, &[(&str, f64)]); 3] = [
+    ("rigid/forward", "rigid", &[("phi", 1.0), ("omega", 0.15), ("M_A", 3e5)]),
+    (
+        "rigid/backward",
+        "rigid",
+        &[("phi", 1.35), ("omega", -0.2), ("M_A", -1e5)],
+    ),
+    (
+        "swing/taut",
+        "swing",
+        &[
+            ("phi", 0.8),
+            ("omega", 0.12),
+            ("M_A", 3e5),
+            ("phi_R", 0.3),
+            ("omega_R", 0.2),
+        ],
+    ),
+];
+
+/// Values and derivatives by every state, input and parameter, against those of 50 digits.
+#[test]
+fn rates_and_forces_have_the_derivatives_of_fifty_digits() {
+    let motion = format!("{MOTION}c_v = \"200 kN.m.s\"\nM_F = \"5 kN.m\"\n");
+    for (case, level, states) in CASES {
+        let rope = if level == "swing" { "l_R = \"15 m\"\n" } else { "" };
+        let mut model = model(SCENE, level, &format!("{motion}{rope}"));
+        for (name, value) in states {
+            let at = index(&model, name).expect("there");
+            model.set(at, *value).expect("allowed");
+        }
+        model.event().expect("exists");
+        let rows: Vec<Vec<&str>> = ORACLE.lines().map(|line| line.split(',').collect()).collect();
+        let rows: Vec<_> = rows.iter().filter(|row| row[0] == case).collect();
+        assert!(rows.len() > 180, "{}", rows.len());
+        let number = |text: &str| text.parse::<f64>().expect("a number");
+        for row in &rows {
+            let (unknown, known) = (index(&model, row[1]).expect("there"), index(&model, row[2]));
+            let known = known.unwrap_or_else(|| panic!("no {}", row[2]));
+            let (value, slope) = (number(row[3]), number(row[4]));
+            let found = model.get(unknown).expect("exists");
+            assert!(
+                (found - value).abs() <= 1e-12 * size(row[1]),
+                "{case} {}: {found} {value}",
+                row[1]
+            );
+            let of = model.variables()[known].quantity();
+            let mut tangent = model.tangent(&|quantity| f64::from(quantity == of));
+            let derivative = model.derivative(&mut tangent, unknown).expect("there is one");
+            let per = size(row[1]) / model.get(known).expect("exists").abs().max(0.01);
+            assert!(
+                (derivative - slope).abs() <= 1e-12 * (slope.abs() + per),
+                "{case} {} by {}: {derivative} {slope}",
+                row[1],
+                row[2]
+            );
+        }
+    }
+}
+
+/// How great such a result is, in SI.
+fn size(name: &str) -> f64 {
+    match name {
+        "der(omega)" | "der(omega_R)" => 1.0,
+        "q_t" => 1e5,
+        _ => 1e6,
+    }
 }
