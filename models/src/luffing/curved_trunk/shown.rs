@@ -31,7 +31,7 @@ impl Shown for CurvedTrunk {
             "motion_bodies",
             "trunk_bodies",
             listed! { s:
-                J_TQ, H_O, I_2, DA_X, DA_Y, DPSI_T, DI_2, S_BX, S_BY, DS_BX, DS_BY, S_MX, S_MY, DS_MX, DS_MY, DDS_MX,
+                J_TQ, H_O, I_2, DA_X, DA_Y, B_E, T_E, DPSI_T, DI_2, S_BX, S_BY, DS_BX, DS_BY, S_MX, S_MY, DS_MX, DS_MY, DDS_MX,
                 DDS_MY, MASS_B, I_RB, DI_RB, MASS_T, I_RT, DI_RT
             },
         ),

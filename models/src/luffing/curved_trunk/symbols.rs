@@ -114,6 +114,8 @@ symbols! {
     MASS_B: "mass_b" "m_b" KG / T, "Mass of the boom: weight over g.", "derived";
     MASS_T: "mass_t" "m_t" KG / T, "Mass of the trunk, with the load where it hangs on no rope: weight over g.", "derived";
     J_TQ: "J_tQ" "J_(t Q)" KG_M2 / T_M2, "Inertia of the trunk with the load about their common centre of gravity.", "derived";
+    B_E: "b_e" "b_e" M / M, "Head B of the boom from O1, along the free tie.", "derived";
+    T_E: "t_e" "t_e" M / M, "Point of contact T from B, along the free tie.", "derived";
     DPSI_T: "dpsi_t" "psi'_t" ONE / ONE, "Turning of the free tie over that of the boom.", "derived";
     DI_2: "di_2" "i'_2" ONE / ONE, "Change of the ratio of the angular velocities for one radian of the boom.", "derived";
     DS_BX: "dS_b.x" "x'_(S b)" M / M, "Forward travel of the boom's centre of gravity for one radian of the boom.", "derived";

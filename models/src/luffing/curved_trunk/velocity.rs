@@ -52,12 +52,13 @@ pub struct TrunkBend<C> {
 }
 
 impl<C: Calc> TrunkBend<C> {
-    /// The loop twice differentiated, along the free tie, which turns by ψ′: i′_2 h_t = e·b + i_2² e·(T − B) + f ψ′².
+    /// The loop twice differentiated, along the free tie, which turns by ψ′_t: i′_2 h_t = b_e + i_2² t_e + f ψ′_t². [derived]
     pub fn new(contact: &Contact<C>, position: &TrunkPosition<C>, travel: &TrunkTravel<C>) -> TrunkBend<C> {
         let (i_2, e) = (travel.i_2, position.tie);
-        let along = [position.b, position.t - position.b].map(|line| plane::dot(line, e));
-        let psi = (-((along[0] + i_2 * along[1]) / contact.f)).def(&s::DPSI_T);
-        let i_2 = (along[0] + i_2.square() * along[1] + contact.f * psi.square()) / position.h_t;
+        let b_e = plane::dot(position.b, e).def(&s::B_E);
+        let t_e = plane::dot(position.t - position.b, e).def(&s::T_E);
+        let psi = (-((b_e + i_2 * t_e) / contact.f)).def(&s::DPSI_T);
+        let i_2 = (b_e + i_2.square() * t_e + contact.f * psi.square()) / position.h_t;
         TrunkBend { i_2: i_2.def(&s::DI_2) }
     }
 
