@@ -431,8 +431,10 @@ fn nothing_is_allocated() {
     assert_eq!(counting::count(), before);
 }
 
-/// States and inputs of the reference's cases.
-const CASES: [(&str, &str, &[(&str, f64)]); 3] = [
+/// A case of the reference, its level, states and inputs.
+type ReferenceCase = (&'static str, &'static str, &'static [(&'static str, f64)]);
+
+const CASES: [ReferenceCase; 3] = [
     ("rigid/forward", "rigid", &[("phi", 1.0), ("omega", 0.15), ("M_A", 3e5)]),
     (
         "rigid/backward",

@@ -112,7 +112,8 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     table
 }
 
-/// The brake holds boom and trunk where the motion begins: a boom that falls freely may leave its tie behind.
+/// The brake holds boom and trunk where the motion begins, and the rope pulls the trunk down: a boom that falls freely, or a load
+/// far out, may slacken the tie.
 fn held(n: &mut Node, [a, b]: [f64; 2]) {
     let mut most = n.get("Q") * (a + b);
     if let Some(weights) = n.child("weights") {
@@ -126,6 +127,12 @@ fn held(n: &mut Node, [a, b]: [f64; 2]) {
     dynamics.keep("M_S", true);
     // More than ten times as much, were the weights masses.
     dynamics.set("M_S", 4.0 * (motor + 10.0 * most));
+    for name in ["dynamics", "hoisting"] {
+        if let Some(mut table) = n.child(name).filter(|table| table.has("phi_R")) {
+            let out = table.draw.between(-0.3, 0.05);
+            table.set("phi_R", out);
+        }
+    }
 }
 
 /// As an arc, or as points of one.

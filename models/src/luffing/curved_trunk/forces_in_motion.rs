@@ -114,7 +114,6 @@ impl<C: Calc> TrunkForces<C> {
 }
 
 /// Of the boom with what it weighs.
-#[expect(clippy::too_many_arguments, reason = "where it is, and what acts on it")]
 pub fn forces<C: Calc>(
     boom: &[Renewed<Heavy<Trunked, C>>],
     phi: &One<C>,
