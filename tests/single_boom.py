@@ -16,7 +16,7 @@ def scene(text, fidelity, folder, inertias, joint, rope):
     bodies = "".join(f'{key} = "{value} kg.m2"\n' for key, value in inertias.items())
     dynamics = (f'[luffing.dynamics]\n{bodies}c_v = "{viscous} kN.m.s"\nM_F = "{coulomb} kN.m"\nM_A = "{moment} kN.m"\n'
                 f'step = "2 ms"\n{rope if fidelity == "swing" else ""}\n')
-    text = text.replace("[luffing.motion]", f'fidelity = "{fidelity}"\n\n[luffing.motion]', 1)
+    text = text.replace("[luffing]\n", f'[luffing]\nfidelity = "{fidelity}"\n', 1)
     path = folder / f"{fidelity}.toml"
     path.write_text(text.replace("[luffing.limits]", dynamics + "[luffing.limits]", 1), encoding="utf-8")
     return path

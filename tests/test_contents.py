@@ -94,6 +94,8 @@ SAID = {
     "rope_motion": ({"level_swing", "rope_masses", "rope_led", "rope_winch", "hoist_ramp", "rope_at_rest"},
                     {"rope_load", "forces_in_motion", "rope_forces"}),
     "curved_trunk": ({"trunk_rope"}, {"ellipsograph_rope"}),
+    "curved_trunk_motion": ({"level_swing", "trunk_masses", "trunk_taut", "counterweight", "slack", "hoist_ramp", "forces_in_motion"},
+                            {"level_rigid", "trunk_load", "trunk_forces"}),
     "rigid": ({"level_rigid", "fixed_load", "sticking", "solver_runge_kutta", "forces_in_motion"}, {"rope", "hoist", "slewing"}),
     "hydraulic": ({"level_hydraulic", "oil", "creep", "buffer", "solver_rodas"},
                   {"rope", "sticking", "stops", "anti_cavitation", "load_holding", "pump_limits", "tank"}),
@@ -108,7 +110,8 @@ SAID = {
     "car_4x2": ({"level_kinematic"}, {"level_turning"}),
 }
 # Where the coordinate's name does not begin with theta.
-COORDINATES = {"slewing_swing": "psi_sl", "slewing_by_speed": "psi_sl", "ellipsograph": "phi", "ellipsograph_motion": "phi", "rope_motion": "phi", "curved_trunk": "phi"}
+COORDINATES = {"slewing_swing": "psi_sl", "slewing_by_speed": "psi_sl", "ellipsograph": "phi", "ellipsograph_motion": "phi", "rope_motion": "phi", "curved_trunk": "phi",
+               "curved_trunk_motion": "phi"}
 
 
 @pytest.mark.parametrize("name", SAID)

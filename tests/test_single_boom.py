@@ -8,7 +8,8 @@ from fmpy.validation import validate_fmu
 from conftest import ROOT
 from single_boom import ENDS, G, packed
 
-SCENES = {"rope_motion": ("RopeMotion", 12.0, 4.5e6), "ellipsograph_motion": ("EllipsographMotion", 15.0, 250e3)}
+SCENES = {"rope_motion": ("RopeMotion", 12.0, 4.5e6), "ellipsograph_motion": ("EllipsographMotion", 15.0, 250e3),
+          "curved_trunk_motion": ("CurvedTrunkMotion", 15.0, 250e3)}
 
 
 @pytest.mark.parametrize("scene", SCENES)

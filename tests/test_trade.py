@@ -159,7 +159,7 @@ def test_what_nothing_keeps_to_is_said(tmp_path):
     assert found["choice"] is None and "nothing keeps to the accuracy" in text
 
 
-@pytest.mark.parametrize("name", ["rope_motion", "ellipsograph_motion"])
+@pytest.mark.parametrize("name", ["rope_motion", "ellipsograph_motion", "curved_trunk_motion"])
 def test_single_booms_have_a_trade(tmp_path, name):
     """Their hoist would lift for as long as the crane luffs by a plan, and rests; where the brake holds the boom against its
     motor nothing moves, in which two codes agree."""

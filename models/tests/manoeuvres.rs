@@ -13,9 +13,10 @@ const READY: [&str; 2] = [
 ];
 
 /// Single booms, whose angle is phi.
-const SINGLE: [&str; 2] = [
+const SINGLE: [&str; 3] = [
     include_str!("../scenes/rope_motion.toml"),
     include_str!("../scenes/ellipsograph_motion.toml"),
+    include_str!("../scenes/curved_trunk_motion.toml"),
 ];
 
 fn parsed(text: &str) -> Scene {

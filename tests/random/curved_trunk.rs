@@ -9,7 +9,7 @@ use lemnis_models::luffing::curved_trunk::symbols as s;
 use toml::{Table, Value};
 
 use crate::cases::cases;
-use crate::luffing::{drive_about_origin, tail_balance, working_range};
+use crate::luffing::{drive_about_origin, dynamics, tail_balance, working_range};
 use crate::scene::{Draw, Node};
 
 /// A result that every level has.
@@ -45,13 +45,27 @@ fn direction(arc: [f64; 3], ends: [f64; 2], tie: f64, e: [f64; 2], phi: f64) -> 
 }
 
 pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
+    let level = draw.pick(&["static", "table", "rigid", "swing"]);
+    let (moves, rope) = (matches!(level, "rigid" | "swing"), level == "swing");
     let mut table = draw.table(keys);
     let mut n = Node::new(draw, keys, &mut table);
+    n.put("fidelity", level);
+    n.keep("dynamics", moves);
+    n.keep("control", false);
+    let hoists = n.draw.coin(0.5);
+    n.keep("hoisting", rope && hoists);
+    let blows = n.draw.coin(0.5);
+    n.keep("air", rope && blows);
+    let bears = n.draw.coin(0.5);
+    n.keep("ground", rope && hoists && bears);
+    if moves {
+        n.keep("weights", true);
+    }
     let size = n.draw.scale[0];
     let b = size * n.draw.between(0.2, 2.0);
     let b = n.set("b", b);
     let a = b * n.draw.between(0.3, 0.8);
-    n.set("a", a);
+    let a = n.set("a", a);
     let e = [n.draw.between(-0.4, -0.1), n.draw.between(0.4, 0.6)];
     let arc = [
         n.draw.between(-0.08, 0.0),
@@ -77,8 +91,8 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     } else {
         n.remove(&["balance"]);
     }
-    let tabulated = n.text("fidelity") == Some("table");
-    n.keep("table", tabulated && n.has("table"));
+    let tabulated = level == "table" && n.has("table");
+    n.keep("table", tabulated);
     tail_balance(&mut n);
     // Where the trunk points to the front, what it carries keeps the tie taut.
     let front = |phi: &f64| {
@@ -89,9 +103,36 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     let taut: Vec<f64> = angles.filter(front).collect();
     let range = [taut[0], taut[taut.len() - 1]];
     working_range(&mut n, range);
-    drive_about_origin(&mut n, range, false);
+    drive_about_origin(&mut n, range, moves);
+    if moves {
+        dynamics(&mut n, "J_b", rope, false);
+        held(&mut n, [a, b]);
+    }
     cases(&mut n, &PARTS);
     table
+}
+
+/// The brake holds boom and trunk where the motion begins, and the rope pulls the trunk down: a boom that falls freely, or a load
+/// far out, may slacken the tie.
+fn held(n: &mut Node, [a, b]: [f64; 2]) {
+    let mut most = n.get("Q") * (a + b);
+    if let Some(weights) = n.child("weights") {
+        most += weights.get("G_b") * weights.get("r_b") + weights.get("G_t") * (b + weights.get("r_t"));
+    }
+    if let Some(balance) = n.child("balance") {
+        most += balance.get("G_c") * balance.get("r_c");
+    }
+    let mut dynamics = n.child("dynamics").expect("there");
+    let motor = dynamics.get("M_A").abs();
+    dynamics.keep("M_S", true);
+    // More than ten times as much, were the weights masses.
+    dynamics.set("M_S", 4.0 * (motor + 10.0 * most));
+    for name in ["dynamics", "hoisting"] {
+        if let Some(mut table) = n.child(name).filter(|table| table.has("phi_R")) {
+            let out = table.draw.between(-0.3, 0.05);
+            table.set("phi_R", out);
+        }
+    }
 }
 
 /// As an arc, or as points of one.

@@ -130,10 +130,10 @@ pub fn slopes_are_derivatives(
 
 /// A ready scene's model at a level that moves, with the keys of `[luffing.dynamics]`.
 pub fn model(text: &str, fidelity: &str, dynamics: &str) -> Model {
-    let motion = format!("fidelity = \"{fidelity}\"\n\n[luffing.motion]");
+    let level = format!("[luffing]\nfidelity = \"{fidelity}\"\n");
     let limits = format!("[luffing.dynamics]\n{dynamics}\n[luffing.limits]");
     let text = text
-        .replacen("[luffing.motion]", &motion, 1)
+        .replacen("[luffing]\n", &level, 1)
         .replacen("[luffing.limits]", &limits, 1);
     let scene = Scene::parse(&text).unwrap_or_else(|found| panic!("{found:?}"));
     scene.model().expect("exists")

@@ -11,11 +11,52 @@ use crate::kernel::calc::Calc;
 use crate::kernel::group::Group;
 use crate::luffing::balancing::{Balanced, Balancing};
 use crate::luffing::criteria::Criteria;
-use crate::luffing::curved_trunk::contact::Contact;
+use crate::luffing::curved_trunk::contact::{Contact, direction};
 use crate::luffing::curved_trunk::position::TrunkPosition;
 use crate::luffing::curved_trunk::statics::{TrunkLoad, TrunkWeight, TrunkWeights};
 use crate::luffing::curved_trunk::tail::{TrunkChoice, TrunkTail};
 use crate::luffing::curved_trunk::velocity::TrunkTravel;
+use crate::luffing::moving::weighed::Balanceable;
+use crate::parts::plane::{self, Point};
+
+/// A balance on the boom under the trunk.
+#[derive(Clone, Copy)]
+pub struct UnderTrunk;
+
+impl Balanceable for UnderTrunk {
+    type Of<C: Calc> = (TrunkTail<C>, TrunkWeights<C>);
+    type Choice = TrunkChoice;
+
+    fn map<C: Calc, D: Calc>((tail, weights): &Self::Of<C>, f: &mut dyn FnMut(C) -> D) -> Self::Of<D> {
+        (tail.map(&mut *f), Group::map(weights, &mut |_, x| f(x)))
+    }
+
+    fn balancing<C: Calc>(
+        (tail, weights): &Self::Of<C>,
+        form: &Form<C>,
+        choice: &TrunkChoice,
+    ) -> Result<Balancing<C>, OutOfRange> {
+        balancing(tail, choice, weights, form)
+    }
+
+    const SENSE: f64 = 1.0;
+
+    fn angle<C: Calc>(phi: C) -> C {
+        phi
+    }
+
+    fn energy<C: Calc>((tail, weights): &Self::Of<C>, choice: &TrunkChoice, phi: C) -> C {
+        let along = direction(tail, choice, phi);
+        along.map_or(C::constant(f64::NAN), |along| energy(tail, weights, phi, along))
+    }
+}
+
+/// Potential energy of boom and trunk (J) at the boom's angle (rad), the trunk along a unit vector.
+pub fn energy<C: Calc>(tail: &TrunkTail<C>, w: &TrunkWeights<C>, phi: C, along: Point<C>) -> C {
+    let (of_boom, (sin, cos)) = ((phi + w.chi_b).sin(), w.chi_t.sin_cos());
+    let of_trunk = tail.trunk.b * phi.sin() + plane::turned(along, w.r_t * cos, w.r_t * sin).y;
+    w.g_b * w.r_b * of_boom + w.g_t * of_trunk
+}
 
 /// Own weights at any angle of the boom, in rad.
 ///

@@ -73,22 +73,46 @@ impl<C: Calc> Contact<C> {
     }
 }
 
-/// End of the unrolled tie in the trunk's frame, in m, as far from B as O3 is, by the square of that (m²): with two derivatives,
-/// of which the point of contact has one. The end moves at right angles to the tie, and that as the tie is shorter.
+/// End of the unrolled tie in the trunk's frame, in m, as far from B as O3 is, by the square of that (m²): with three derivatives,
+/// of which the point of contact has one. Over the turn of the tie it is a series, v′ = f u⊥ and v″ = −(ρ u⊥ + f u), on which
+/// two steps of Newton's method find that turn.
 ///
 /// # Errors
 /// As [`Contact::new`].
-pub fn end_of_tie<C: Calc>(tail: &TrunkTail<C>, choice: &TrunkChoice, d_2: C) -> Result<Point<C>, OutOfRange> {
+fn end_of_tie<C: Calc>(tail: &TrunkTail<C>, choice: &TrunkChoice, d_2: C) -> Result<Point<C>, OutOfRange> {
     let place = found(&tail.map(C::value), choice, d_2.value())?;
-    let Leaving { p, u, w, rho, .. } = Leaving::new(&tail.arc, choice, place);
-    let (two, f) = (C::constant(2.0), tail.trunk.l_t - w);
-    let (h, v) = (plane::cross(p, u), p + u * f);
-    let rolled = if choice.from_rear { -rho } else { rho };
-    let first = (plane::squared(v) - d_2) / (two * f * h);
-    let bend = rolled * h - f * plane::dot(p, u);
-    let turn = first + bend * first.square() / (two * f * h);
+    let Leaving {
+        p, u, w, rho, rho_rate, ..
+    } = Leaving::new(&tail.arc, choice, place);
+    let (two, f, rate) = (
+        C::constant(2.0),
+        tail.trunk.l_t - w,
+        rho_rate.unwrap_or(C::constant(0.0)),
+    );
+    let [rolled, change] = if choice.from_rear { [-rho, -rate] } else { [rho, rate] };
     let across = Point::new(-u.y, u.x);
-    Ok(v + across * (f * turn) - (across * rolled + u * f) * (turn.square() / two))
+    let once = across * f;
+    let twice = -(across * rolled + u * f);
+    let thrice = u * (two * rolled) - across * (change + f);
+    let v = p + u * f;
+    let at = |turn: C| v + (once + (twice + thrice * (turn / C::constant(3.0))) * (turn / two)) * turn;
+    let first = (plane::squared(v) - d_2) / (two * f * plane::cross(p, u));
+    let slope = once + (twice + thrice * (first / two)) * first;
+    let near = at(first);
+    let left = (plane::squared(near) - d_2) / (two * plane::dot(near, slope));
+    Ok(at(first - left))
+}
+
+/// The trunk's direction at the boom's angle (rad), with three derivatives: it turns the end of the unrolled tie onto O3.
+///
+/// # Errors
+/// As [`Contact::new`].
+pub fn direction<C: Calc>(tail: &TrunkTail<C>, choice: &TrunkChoice, phi: C) -> Result<Point<C>, OutOfRange> {
+    let (trunk, (sin, cos)) = (&tail.trunk, phi.sin_cos());
+    let d = Point::new(trunk.o3_x - trunk.b * cos, trunk.o3_y - trunk.b * sin);
+    let d_2 = plane::squared(d);
+    let v = end_of_tie(tail, choice, d_2)?;
+    Ok(Point::new(plane::dot(d, v), plane::cross(v, d)) / d_2)
 }
 
 /// The place at which the end of the unrolled tie is as far from B as O3 is, `square` (m²) being that distance's square.

@@ -31,16 +31,22 @@
 //! | `curved_trunk.weight_moment` | [`statics::TrunkWeight::new`] | by virtual work |
 //! | `curved_trunk.pins` | [`pins::TrunkPins::new`], [`pins::TrunkBearing::new`] | by equilibrium of trunk and boom |
 //! | `curved_trunk.drive` | [`driving::bar`], [`crate::drive::line::Drive::new`] | derived |
+//! | `curved_trunk.motion` | [`moving::Trunked`], [`velocity::TrunkBend::new`] | Lagrange, in closed form over the point of contact |
+//! | `curved_trunk.forces_in_motion` | [`forces_in_motion::TrunkForces::new`] | Newton and Euler |
 //! | `curved_trunk.range` | [`crate::component::whole`] | Ports001, 5.2.4.3 |
 
 mod balancing;
 pub mod contact;
+mod drawing;
 pub mod driving;
+pub mod forces_in_motion;
+pub mod moving;
 mod outline;
 pub mod pins;
 pub mod position;
 pub mod resisting;
 pub mod scene;
+mod shown;
 pub mod stages;
 pub mod statics;
 pub mod symbols;

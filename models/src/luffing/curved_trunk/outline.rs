@@ -6,13 +6,22 @@ use crate::component::outline::{Greatest, Limit, Most, Outline, Purpose, chapter
 use crate::drive::outline as o;
 use crate::drive::symbols as d;
 use crate::luffing::curved_trunk::symbols as s;
+use crate::luffing::moving::control::SETTINGS;
+use crate::luffing::moving::symbols as m;
 use crate::luffing::resistances::outline::{EXTREMES, LIMITS, SUMMARY, USES};
 
 /// What given quantities of its own are for that no formula has.
-const OWN_USES: [Purpose; 2] = [("tail_points", &[&s::X_T, &s::Y_T]), ("annulus", &[&d::D_R])];
+const OWN_USES: [Purpose; 6] = [
+    ("tail_points", &[&s::X_T, &s::Y_T]),
+    ("annulus", &[&d::D_R]),
+    ("start", &[&m::L_R, &m::PHI_R]),
+    ("hoist", &[&m::V_H, &m::A_H]),
+    ("control", SETTINGS),
+    ("drum_friction", &[&m::M_F_H]),
+];
 
 pub const OUTLINE: Outline = Outline {
-    inputs: chapters!(geometry "", tail, tail_points "tail.points", weights, drive, balance, load "Q", motion,
+    inputs: chapters!(geometry "", tail, tail_points "tail.points", weights, drive, balance, load "Q", motion, moving "dynamics", luffing_control "control", hoisting, hoisting_control "hoisting.control", air, ground,
         cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_brake "cases.brake", case_second_brake "cases.second_brake",
         case_buckling "cases.buckling", case_teeth "cases.teeth", case_nut "cases.nut", case_pin_sizes "cases.pin_size", limits),
     constants: &[
@@ -97,7 +106,7 @@ pub const OUTLINE: Outline = Outline {
         &s::N_T_MAX,
         &b::DM_MAX,
     ],
-    limits: &joined::<_, 13, 19, 32>(
+    limits: &joined::<_, 14, 19, 33>(
         [
             Limit::at_most("level_error", &s::EPSILON_Y),
             Limit::at_least("trunk_transmission", &s::MU_MIN),
@@ -112,10 +121,11 @@ pub const OUTLINE: Outline = Outline {
             Limit::at_most("balance_residual", &b::DM_MAX),
             Limit::at_least("balance_transmission", &b::GAMMA_MIN),
             Limit::at_most("balance_rod", &b::N_MAX),
+            Limit::at_most("motion_swing", &m::PHI_MAX),
         ],
         LIMITS,
     ),
-    uses: &joined::<Purpose, 2, 2, 4>(OWN_USES, USES),
+    uses: &joined::<Purpose, 6, 2, 8>(OWN_USES, USES),
     forces: &[
         &s::N_T,
         &s::Q_T,

@@ -8,6 +8,7 @@ use crate::luffing::curved_trunk::contact::Contact;
 use crate::luffing::curved_trunk::position::TrunkPosition;
 use crate::luffing::curved_trunk::statics::TrunkWeight;
 use crate::luffing::curved_trunk::symbols as s;
+use crate::parts::motion::degrees;
 use crate::parts::plane::{self, Point};
 
 /// In N.
@@ -82,14 +83,35 @@ impl<C: Calc> TrunkBearing<C> {
         let foot = push.map_or(foot, |push| foot - push);
         TrunkBearing {
             foot: plane::def(foot, [&s::F_O1X, &s::F_O1Y]),
-            q_t: (pins.n_t / contact.rho).def(&s::Q_T),
+            q_t: line_load(pins.n_t, contact),
         }
     }
 }
 
-/// Pressure of the tie on the tail, in Pa, over its width (m).
+/// Line load (N/m) of a tie with a force (N) on the tail.
+pub fn line_load<C: Calc>(n_t: C, contact: &Contact<C>) -> C {
+    (n_t / contact.rho).def(&s::Q_T)
+}
+
+/// The same over the tie's width (m), in Pa.
+pub fn over_width<C: Calc>(q_t: C, width: &C) -> C {
+    (q_t / *width).def(&s::P_T)
+}
+
+/// Pressure of the tie on the tail at rest, in Pa, over its width (m).
 pub fn pressure<C: Calc>(bearing: &TrunkBearing<C>, width: &C) -> C {
-    (bearing.q_t / *width).def(&s::P_T)
+    over_width(bearing.q_t, width)
+}
+
+/// What is wrong at the boom's angle (rad) with a force in the tie (N): it cannot push.
+pub fn slack(phi: f64, n_t: f64) -> Option<String> {
+    (n_t < 0.0).then(|| {
+        let push = s::N_T.written(-n_t);
+        format!(
+            "phi = {}: the tie is slack, it would have to push with {push}",
+            degrees(phi)
+        )
+    })
 }
 
 /// Power of the drive, in W.

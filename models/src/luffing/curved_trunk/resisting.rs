@@ -9,7 +9,8 @@ use crate::drive::mount::DrivenBar;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 use crate::luffing::balancing::Balancing;
-use crate::luffing::curved_trunk::contact::end_of_tie;
+use crate::luffing::curved_trunk::balancing::energy;
+use crate::luffing::curved_trunk::contact::direction;
 use crate::luffing::curved_trunk::position::TrunkPosition;
 use crate::luffing::curved_trunk::statics::TrunkWeights;
 use crate::luffing::curved_trunk::tail::{TrunkChoice, TrunkTail};
@@ -21,7 +22,7 @@ use crate::luffing::resistances::moments::Resisted;
 use crate::luffing::resistances::placed::{BARS, MovedBars, Placed, Placing, Weighty};
 use crate::luffing::resistances::scene::CaseParts;
 use crate::luffing::resistances::symbols as s;
-use crate::parts::plane::{Point, cross, dot, squared, turned};
+use crate::parts::plane::{Point, cross};
 
 /// Bars and pins in their order.
 pub const PARTS: CaseParts = CaseParts {
@@ -58,22 +59,15 @@ impl Placing for OfTrunk {
 
     #[inline(always)]
     fn placed<C: Calc>(of: &TrunkPlaces<C>, phi: C) -> Option<Placed<C>> {
-        let (trunk, w, zero) = (&of.tail.trunk, &of.weights, C::constant(0.0));
+        let (trunk, zero) = (&of.tail.trunk, C::constant(0.0));
         let (nothing, (sin, cos)) = (Point::new(zero, zero), phi.sin_cos());
         let (line, b) = (Point::new(cos, sin), Point::new(trunk.b * cos, trunk.b * sin));
-        let d = Point::new(trunk.o3_x - b.x, trunk.o3_y - b.y);
-        let v = end_of_tie(&of.tail, &of.choice, squared(d)).ok()?;
-        // The trunk turns the end of the unrolled tie onto O3.
-        let along = Point::new(dot(d, v), cross(v, d)) / squared(d);
+        let along = direction(&of.tail, &of.choice, phi).ok()?;
         let head = b + along * trunk.a;
-        let mut counterweight = nothing;
-        if let Some(balancing) = &of.balancing {
-            let energy = || {
-                let (of_boom, (sin, cos)) = ((phi + w.chi_b).sin(), w.chi_t.sin_cos());
-                w.g_b * w.r_b * of_boom + w.g_t * (b.y + turned(along, w.r_t * cos, w.r_t * sin).y)
-            };
-            counterweight = balancing.place(phi, energy)?;
-        }
+        let counterweight = match &of.balancing {
+            Some(balancing) => balancing.place(phi, || energy(&of.tail, &of.weights, phi, along))?,
+            None => nothing,
+        };
         let bar = DrivenBar {
             angle: One(&PHI, phi),
             along: b,

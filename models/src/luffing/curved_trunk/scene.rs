@@ -5,9 +5,10 @@ use std::sync::Arc;
 use crate::balance::scene::{BALANCE, PublishedBalance};
 use crate::balance::symbols as b;
 use crate::component::description::{Described, Description, Vocabulary};
-use crate::component::draw::{Draw, along, distance, polar};
-use crate::component::extreme::between;
-use crate::component::mechanism::Entry;
+use crate::component::draw::polar;
+use crate::component::mechanism::{Entry, Solver};
+use crate::component::moved::Moved;
+use crate::component::moving::MovingComponent;
 use crate::component::outline::{Limit, Outline};
 use crate::component::running::Running;
 use crate::component::sheet::{Check, Drawing, Sheet, Summary};
@@ -21,26 +22,41 @@ use crate::kernel::group::One;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Kind, SOURCE, Values};
 use crate::kernel::sign::Sign;
-use crate::luffing::boom_scene::{FIDELITY, INTERPOLATION, balance_work, begun, motion, uncovered, vanishing};
+use crate::kernel::symbol::{Symbol, listed};
+use crate::kernel::variable::Fault;
+use crate::luffing::boom_scene::{INTERPOLATION, MOVING_FIDELITY, balance_work, begun, motion, uncovered, vanishing};
 use crate::luffing::counterweight::chapter;
-use crate::luffing::curved_trunk::contact::Contact;
-use crate::luffing::curved_trunk::driving;
+use crate::luffing::curved_trunk::drawing::drawing;
+use crate::luffing::curved_trunk::moving::TrunkInertias;
 use crate::luffing::curved_trunk::outline::OUTLINE;
-use crate::luffing::curved_trunk::position::TrunkPosition;
+use crate::luffing::curved_trunk::pins::slack;
 use crate::luffing::curved_trunk::resisting;
 use crate::luffing::curved_trunk::stages::{CurvedTrunkBoom, Given};
 use crate::luffing::curved_trunk::statics::TrunkWeights;
 use crate::luffing::curved_trunk::symbols as s;
-use crate::luffing::curved_trunk::tail::{Leaving, TailArc, Trunk, TrunkChoice, TrunkTail};
+use crate::luffing::curved_trunk::tail::{TailArc, Trunk, TrunkChoice};
+use crate::luffing::moving;
+use crate::luffing::moving::control::luffing::CONTROL;
+use crate::luffing::moving::given::Fitted;
+use crate::luffing::moving::hoisting::HOISTING_KEYS;
+use crate::luffing::moving::levels;
+use crate::luffing::moving::scene::{Inert, Moving, brisk, dynamics, turns};
+use crate::luffing::moving::symbols as m;
+use crate::luffing::moving::told::motion::moved;
+use crate::luffing::moving::told::shown::running;
 use crate::luffing::resistances::scene::{CASES, Cases, left};
 use crate::luffing::resistances::{self, checks, told};
 use crate::luffing::strength;
 use crate::luffing::with_balance::{WithBalance, searched};
-use crate::parts::motion::{Motion, degrees};
+use crate::parts::air::AIR;
+use crate::parts::ground::GROUND;
+use crate::parts::motion::Motion;
 use crate::parts::motor;
 use crate::parts::plane::{self, Point};
+use crate::parts::shaping;
 use crate::parts::smooth_curve::{NoCurve, SmoothCurve};
 use crate::parts::teeth;
+use crate::parts::{air, ground, hanging, hydraulics};
 
 /// Keys of `[luffing]` with `kind = "curved_trunk"`.
 pub const KEYS: &[Key] = &[
@@ -55,7 +71,7 @@ pub const KEYS: &[Key] = &[
     Key::quantity(&s::O3_Y, Sign::Any),
     Key::quantity(&s::X_8, Sign::Any),
     Key::weight(&s::Q).optional(),
-    FIDELITY,
+    MOVING_FIDELITY,
     Key {
         required: true,
         ..Key::kinds(
@@ -68,6 +84,15 @@ pub const KEYS: &[Key] = &[
     Key::part("weights", WEIGHTS, "Own weights of boom and trunk, and where they act."),
     DRIVE,
     BALANCE,
+    Key::part(
+        "dynamics",
+        DYNAMICS,
+        "Inertias, friction, drive and rope of boom and trunk in motion.",
+    ),
+    CONTROL,
+    AIR,
+    GROUND,
+    Key::part("hoisting", HOISTING_KEYS, "Rope and hoist of a load that swings."),
     INTERPOLATION,
     CASES,
     Key::part("limits", LIMITS, "Limits that the book checks."),
@@ -99,14 +124,23 @@ const WEIGHTS: &[Key] = keys! { s:
     G_B [or_mass], R_B >= 0, CHI_B [usually(0.0)], G_T [or_mass], R_T >= 0, CHI_T [usually(0.0)]
 };
 
-const LIMITS: &[Key] = &Limit::keys::<27>(OUTLINE.limits);
+static DYNAMICS: &[Key] = &dynamics::<14>(&[
+    Key::quantity(&s::J_B, Sign::NotNegative),
+    Key::quantity(&s::J_T, Sign::NotNegative),
+]);
+
+const INERTIAS: &[&Symbol] = listed!(s: J_B, J_T);
+
+const LIMITS: &[Key] = &Limit::keys::<28>(OUTLINE.limits);
 
 /// A boom with a curved trunk as the scene describes it; SI.
 #[derive(Clone, Debug)]
 pub struct CurvedTrunk {
     /// At the start of the working range.
-    given: Given<f64>,
+    pub(super) given: Given<f64>,
     driving: Driving,
+    /// At a level that moves by itself.
+    pub(super) moving: Option<Moving>,
     /// Published results of the balance.
     published_balance: Option<PublishedBalance>,
     cases: Cases,
@@ -120,21 +154,31 @@ impl Described for CurvedTrunk {
     const ID: &'static str = "curved_trunk";
     const TABLE: &'static str = "luffing";
     const OUTLINE: &'static Outline = &OUTLINE;
+    const FOLLOWED: &'static [&'static Symbol] = listed!(m: S_R, H_G, N_G, M_A, M_M_H);
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "curved_trunk_symbol",
         own: &[s::ALL],
         shared: &[
             b::ALL,
             drive::symbols::ALL,
+            gravity::ALL,
+            moving::symbols::ALL,
+            moving::control::luffing::ALL,
+            shaping::ALL,
+            moving::control::hoist::ALL,
             resistances::symbols::ALL,
             motor::ALL,
             teeth::ALL,
             strength::symbols::ALL,
-            gravity::ALL,
+            air::ALL,
+            ground::ALL,
+            hanging::ALL,
+            hydraulics::symbols::ALL,
         ],
     };
 
     fn read(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<(CurvedTrunk, Motion)> {
+        let moving = moves(v, gravity, found);
         let begun = begun(v, "G_b, r_b, G_t and r_t", found);
         let driving = drive::scene::read(v, found);
         let tail = v.table("tail")?;
@@ -142,7 +186,10 @@ impl Described for CurvedTrunk {
         let curve = if arc.is_none() { Some(curve(tail, found)?) } else { None };
         let ((range, balance), driving) = begun.zip(driving)?;
         drive::scene::meets(v, &driving, None, [range.from, range.to], found);
-        drive::scene::fits(v, driving.gear.as_ref(), [false, v.has("Q")], found);
+        drive::scene::fits(v, driving.gear.as_ref(), [moving.is_some(), v.has("Q")], found);
+        if let Some(moving) = &moving {
+            brisk(v, moving, &range, found);
+        }
         let cases = Cases::read(v, &resisting::PARTS, balance.as_ref(), gravity, found);
         let given = Given {
             phi: One(&b::PHI, range.from),
@@ -177,10 +224,29 @@ impl Described for CurvedTrunk {
                 curve,
                 crank: driving.branch(),
             },
+            inertias: match &moving {
+                Some(_) => Some(TrunkInertias::read(v.table("dynamics")?)?),
+                None => None,
+            },
+            states: None,
+            inputs: None,
+            control: None,
+            commanded: None,
+            latched: None,
+            constants: None,
+            ramp: None,
+            motor: None,
+            give: None,
+            around: None,
+            ground: None,
+            wound: None,
+            past: None,
+            fitted: Fitted::default(),
         };
         let read = CurvedTrunk {
             given,
             driving,
+            moving,
             published_balance: v.table("balance").and_then(PublishedBalance::read),
             cases,
         };
@@ -188,7 +254,10 @@ impl Described for CurvedTrunk {
     }
 
     fn given(this: &Description<CurvedTrunk>) -> Given<f64> {
-        this.given.clone()
+        Given {
+            inertias: None,
+            ..this.given.clone()
+        }
     }
 
     /// Besides what all booms are checked for: a tie that would have to push.
@@ -203,15 +272,7 @@ impl Described for CurvedTrunk {
             let reached = model.set(0, at);
             let fault = reached.and_then(|()| results.clone().try_for_each(|index| model.get(index).map(drop)));
             let pull = tie.and_then(|index| model.get(index).ok());
-            fault.err().map(|fault| fault.message).or_else(|| {
-                pull.filter(|pull| *pull < 0.0).map(|pull| {
-                    format!(
-                        "phi = {}: the tie is slack, it would have to push with {}",
-                        degrees(at),
-                        s::N_T.written(-pull)
-                    )
-                })
-            })
+            fault.err().map(|fault| fault.message).or_else(|| slack(at, pull?))
         });
         if let Some(message) = fault {
             let label = "not possible all over the working range";
@@ -220,9 +281,45 @@ impl Described for CurvedTrunk {
         }
     }
 
+    fn hangs_on(this: &Description<Self>) -> Option<[f64; 2]> {
+        this.moving.as_ref()?.swings()
+    }
+
+    fn hang(&mut self, length: f64) {
+        if let Some(rope) = self.moving.as_mut().and_then(|moving| moving.rope.as_mut()) {
+            rope.length = length;
+        }
+    }
+
+    fn levels(&self) -> Vec<&'static str> {
+        levels::levels(self.moving.as_ref())
+    }
+
+    fn set_level(&mut self, level: &str) {
+        if !levels::set_level(&mut self.moving, level) {
+            self.given.inertias = None;
+        }
+    }
+
+    fn unused(&self, level: &str) -> Vec<(&'static str, &'static [&'static str])> {
+        levels::unused(level)
+    }
+
+    fn solver(&self) -> Option<Solver> {
+        levels::solver(self.moving.as_ref())
+    }
+
+    fn moving(this: &Description<CurvedTrunk>) -> Option<Result<MovingComponent, Fault>> {
+        running(this)
+    }
+
     fn chapters(&self) -> Vec<&'static str> {
-        let cases = self.cases.are_there().then_some("cases");
-        self.given.balance.iter().map(|_| "balance").chain(cases).collect()
+        let moving = self.moving.map(|_| "motion");
+        moving
+            .into_iter()
+            .chain(self.given.balance.map(|_| "balance"))
+            .chain(self.cases.are_there().then_some("cases"))
+            .collect()
     }
 
     fn searched(_: &Description<CurvedTrunk>, model: &Standing) -> Vec<Summary> {
@@ -260,68 +357,42 @@ impl Described for CurvedTrunk {
     }
 
     fn assumptions(this: &Description<CurvedTrunk>) -> Vec<&'static str> {
-        let level = this.table.map_or("trunk_level_static", |_| "trunk_level_table");
         let forces = this.given.load.map(|_| "trunk_forces");
-        [level, "trunk_rope"].into_iter().chain(forces).collect()
+        let Some(moving) = &this.moving else {
+            let level = this.table.map_or("trunk_level_static", |_| "trunk_level_table");
+            return [level, "trunk_rope"].into_iter().chain(forces).collect();
+        };
+        let level = moving.rope.map_or("level_rigid", |_| "level_swing");
+        let balance = this.given.balance.map(|_| "counterweight");
+        [level, "trunk_masses", "trunk_taut"]
+            .into_iter()
+            .chain(balance)
+            .chain(moving.taken("trunk_load"))
+            .chain([
+                "trunk_rope",
+                "sticking",
+                "stops",
+                "forces_in_motion",
+                "solver_runge_kutta",
+            ])
+            .collect()
     }
 
     fn uncovered(this: &Description<CurvedTrunk>) -> Vec<&'static str> {
-        left(uncovered("pin_friction"), &this.cases)
+        const FRICTION: &str = "pin_friction";
+        left(
+            levels::uncovered(uncovered(FRICTION), FRICTION, this.moving.as_ref()),
+            &this.cases,
+        )
     }
 
     /// The boom at the ends (faint) and in the middle of the working range, with trunk, tail, tie and the path of the head.
     fn drawing(this: &Description<CurvedTrunk>, told: f64) -> Drawing {
-        let Given { trunk, arc, choice, .. } = &this.given;
-        let (range, o1, o3) = (&this.motion, Point::zeros(), Point::new(trunk.o3_x, trunk.o3_y));
-        let tail = TrunkTail::new(trunk, arc, choice).expect("checked when the scene was read");
-        let at = |phi: f64| {
-            let contact = Contact::new(&tail, choice, &phi).expect("checked when the scene was read");
-            (TrunkPosition::new(&tail, &contact), contact)
-        };
-        let size = trunk.b;
-        let mut draw = Draw::default();
-        draw.path(fine(range).map(|phi| at(phi).0.a));
-        let [clamp, end] = tail.ends.map(|end| end.place);
-        for (phi, faint) in [(range.from, true), (range.to, true), (told, false)] {
-            let (p, contact) = at(phi);
-            let place = |local: Point<f64>| p.b + plane::turned(local, p.along.x, p.along.y);
-            let curve = between(clamp, end).map(|at| place(Leaving::new(arc, choice, at).p));
-            let mut outline = vec![p.b];
-            outline.extend(curve);
-            draw.bar(&[o1, p.b], faint);
-            draw.body(&outline, faint);
-            draw.bar(&[p.b, p.a], faint);
-            draw.bar(&[p.t, o3], faint);
-            draw.joint(p.a, "A", false, faint);
-            draw.joint(p.b, "B", false, faint);
-            draw.pin(p.t, false, faint);
-            if faint {
-                continue;
-            }
-            let bar = driving::bar(&p, trunk, &One(&b::PHI, phi));
-            drive::drawing::drive(&mut draw, &bar, &this.driving, range);
-            draw.label(p.t, "T");
-            draw.angle(o1, 0.2 * size, phi, &b::PHI);
-            draw.distance(o1, contact.b, -0.05 * size, &s::B);
-            draw.distance(p.b, p.a, -0.05 * size, &s::A);
-            draw.handle(p.b, &[(&s::B, distance(o1))]);
-            draw.handle(p.a, &[(&s::A, distance(p.b))]);
-            draw.force(o1, [&s::F_O1X, &s::F_O1Y]);
-            draw.force(p.b, [&s::F_BX, &s::F_BY]);
-            draw.pull(p.t, o3, &s::N_T);
-            draw.centre([[o1, p.b], [o3, p.t]], size);
-            draw.transmission(p.t, [p.b - p.t, o3 - p.t], 0.15 * size, &s::MU);
-            draw.distance(Point::new(-trunk.x_8, 0.0), Point::new(p.a.x, 0.0), -0.1 * size, &s::R);
-            if this.given.load.is_some() {
-                draw.load(p.a, &s::Q);
-            }
-        }
-        draw.joint(o1, "O_1", true, false);
-        draw.joint(o3, "O_3", true, false);
-        draw.placed(o3, [&s::O3_X, &s::O3_Y]);
-        draw.handle(Point::new(-trunk.x_8, 0.0), &[(&s::X_8, along(o1, [-1.0, 0.0]))]);
-        draw.axis(-trunk.x_8, -0.15 * size, 0.6 * size);
-        draw.done(size)
+        drawing(&this.given, &this.driving, &this.motion, told)
+    }
+
+    fn in_motion(this: &Description<CurvedTrunk>) -> Option<Moved> {
+        moved(this)
     }
 
     fn more(this: &Description<CurvedTrunk>, model: &mut Standing, sheet: &mut Sheet) {
@@ -358,6 +429,20 @@ fn power(given: &Given<f64>, model: &mut Standing) -> Check {
         let work = row[5] + row.get(6).copied().unwrap_or(0.0);
         [work, -of_boom, -of_trunk[0], -of_trunk[1]]
     })
+}
+
+/// What the scene gives of its motion; mistakes go to `found`.
+fn moves(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<Moving> {
+    let bodies = Inert {
+        loaded: v.has("Q"),
+        inertias: INERTIAS,
+        bar: [&s::B, &s::J_B],
+        reach: &s::B,
+        help: "add [luffing.dynamics] with J_b and J_t (kg.m2)",
+        bodies: "boom and trunk",
+        weighs: |weights| turns(weights, &s::G_B, &s::R_B) || turns(weights, &s::G_T, &s::R_T),
+    };
+    Moving::new(v, gravity, &bodies, found)
 }
 
 /// The tail through the points of its table; mistakes go to `found`.

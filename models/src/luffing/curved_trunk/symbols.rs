@@ -108,6 +108,36 @@ symbols! {
     Q_T: "q_t" "q_t" N_PER_M / KN_PER_M, "Line load of the tie on the tail at T.", "equilibrium";
     P_T: "p_t" "p_t" PA / MPA, "Pressure of the tie on the tail at T.", "equilibrium";
 
+    // In motion.
+    J_B: "J_b" "J_b" KG_M2 / T_M2 [not_negative], "Inertia of the boom about its centre of gravity.", "input";
+    J_T: "J_t" "J_t" KG_M2 / T_M2 [not_negative], "Inertia of the trunk about its centre of gravity.", "input";
+    MASS_B: "mass_b" "m_b" KG / T, "Mass of the boom: weight over g.", "derived";
+    MASS_T: "mass_t" "m_t" KG / T, "Mass of the trunk, with the load where it hangs on no rope: weight over g.", "derived";
+    J_TQ: "J_tQ" "J_(t Q)" KG_M2 / T_M2, "Inertia of the trunk with the load about their common centre of gravity.", "derived";
+    B_E: "b_e" "b_e" M / M, "Head B of the boom from O1, along the free tie.", "derived";
+    T_E: "t_e" "t_e" M / M, "Point of contact T from B, along the free tie.", "derived";
+    DPSI_T: "dpsi_t" "psi'_t" ONE / ONE, "Turning of the free tie over that of the boom.", "derived";
+    DI_2: "di_2" "i'_2" ONE / ONE, "Change of the ratio of the angular velocities for one radian of the boom.", "derived";
+    DS_BX: "dS_b.x" "x'_(S b)" M / M, "Forward travel of the boom's centre of gravity for one radian of the boom.", "derived";
+    DS_BY: "dS_b.y" "y'_(S b)" M / M, "Rise of the boom's centre of gravity for one radian of the boom.", "derived";
+    S_MX: "S_m.x" "x_m" M / M, "Centre of gravity of the trunk, with the load where it hangs on no rope, forward of B.", "derived";
+    S_MY: "S_m.y" "y_m" M / M, "Centre of gravity of the trunk, with the load where it hangs on no rope, above B.", "derived";
+    DS_MX: "dS_m.x" "x'_m" M / M, "Forward travel of this centre of gravity for one radian of the boom.", "derived";
+    DS_MY: "dS_m.y" "y'_m" M / M, "Rise of this centre of gravity for one radian of the boom.", "derived";
+    DDS_MX: "ddS_m.x" "x''_m" M / M, "Change of its forward travel for one radian of the boom.", "derived";
+    DDS_MY: "ddS_m.y" "y''_m" M / M, "Change of its rise for one radian of the boom.", "derived";
+    I_RB: "I_rb" "I_b" KG_M2 / T_M2, "Inertia of the boom, reduced to its angle.", "Lagrange";
+    DI_RB: "dI_rb" "I'_b" KG_M2 / T_M2, "Change of the boom's reduced inertia for one radian of it.", "Lagrange";
+    I_RT: "I_rt" "I_t" KG_M2 / T_M2, "Inertia of the trunk, reduced to the boom's angle.", "Lagrange";
+    DI_RT: "dI_rt" "I'_t" KG_M2 / T_M2, "Change of the trunk's reduced inertia for one radian of the boom.", "Lagrange";
+    F_ITX: "F_it.x" "F_(i t x)" N / KN, "Inertia of the trunk, forward; with the load where it hangs on no rope.", "Newton and Euler";
+    F_ITY: "F_it.y" "F_(i t y)" N / KN, "Weight and inertia of the trunk, upward; with the load where it hangs on no rope.", "Newton and Euler";
+    M_TB: "M_tB" "M_(t B)" N_M / KN_M, "Moment of the rope and of the trunk's weight and inertia about B; clockwise positive.", "Newton and Euler";
+    M_BO: "M_bO" "M_(b O)" N_M / KN_M, "Moment of the boom's weight and inertia about O1; clockwise positive.", "Newton and Euler";
+    Z_TIE: "z.tie" "z_t" N / KN, "Falls below zero where the tie would have to push: there this motion ends.", "event";
+    D_PHI: "der(phi)" "dot(phi)" RAD_PER_S / DEG_PER_S, "Rate of the boom's angle.", "state";
+    D_OMEGA: "der(omega)" "dot(omega)" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of the boom.", "equations of motion";
+
     // The whole range of motion.
     R_MAX: "R_max" "R_max" M / M, "Greatest reach of the working range.", "derived";
     R_MIN: "R_min" "R_min" M / M, "Smallest reach of the working range.", "derived";

@@ -78,7 +78,7 @@ pub struct Leaving<C> {
 impl<C: Copy> TrunkTail<C> {
     /// The same over another scalar.
     #[must_use]
-    pub fn map<D>(&self, f: fn(C) -> D) -> TrunkTail<D> {
+    pub fn map<D>(&self, mut f: impl FnMut(C) -> D) -> TrunkTail<D> {
         TrunkTail {
             trunk: self.trunk.map(&mut |_, value| f(value)),
             arc: self.arc.map(|arc| arc.map(&mut |_, value| f(value))),

@@ -1,7 +1,8 @@
-//! Travel of the trunk's head, the instantaneous centre, and speeds.
+//! Travel of the trunk's head and of its points, how that changes, the instantaneous centre, and speeds.
 
 use crate::component::stages::results;
 use crate::kernel::calc::Calc;
+use crate::luffing::curved_trunk::contact::Contact;
 use crate::luffing::curved_trunk::position::TrunkPosition;
 use crate::luffing::curved_trunk::symbols as s;
 use crate::parts::plane::{self, Point};
@@ -22,16 +23,49 @@ impl<C: Calc> TrunkTravel<C> {
         let (b, front) = (position.b, position.front);
         let h_o = plane::cross(b, position.tie).def(&s::H_O);
         let i_2 = (-(h_o / position.h_t)).def(&s::I_2);
-        let a = Point::new(-(b.y + i_2 * front.y), b.x + i_2 * front.x);
         TrunkTravel {
             i_2,
-            a: plane::def(a, [&s::DA_X, &s::DA_Y]),
+            a: plane::def(moved(b, i_2, front), [&s::DA_X, &s::DA_Y]),
         }
+    }
+
+    /// Of a point of the trunk, `from` being its place from B, in m.
+    pub fn of_point(&self, position: &TrunkPosition<C>, from: Point<C>) -> Point<C> {
+        moved(position.b, self.i_2, from)
     }
 
     /// Whether the trunk does not turn, within rounding: its centre is at infinity.
     pub fn at_infinity(&self) -> bool {
         self.i_2.value().abs() <= 4.0 * f64::EPSILON
+    }
+}
+
+/// What a point of the trunk moves by, `from` being its place from B, in m.
+fn moved<C: Calc>(b: Point<C>, i_2: C, from: Point<C>) -> Point<C> {
+    Point::new(-(b.y + i_2 * from.y), b.x + i_2 * from.x)
+}
+
+/// How the trunk's turn changes, for one radian of the boom once more.
+#[derive(Clone, Copy, Debug)]
+pub struct TrunkBend<C> {
+    pub i_2: C,
+}
+
+impl<C: Calc> TrunkBend<C> {
+    /// The loop twice differentiated, along the free tie, which turns by ψ′_t: i′_2 h_t = b_e + i_2² t_e + f ψ′_t². [derived]
+    pub fn new(contact: &Contact<C>, position: &TrunkPosition<C>, travel: &TrunkTravel<C>) -> TrunkBend<C> {
+        let (i_2, e) = (travel.i_2, position.tie);
+        let b_e = plane::dot(position.b, e).def(&s::B_E);
+        let t_e = plane::dot(position.t - position.b, e).def(&s::T_E);
+        let psi = (-((b_e + i_2 * t_e) / contact.f)).def(&s::DPSI_T);
+        let i_2 = (b_e + i_2.square() * t_e + contact.f * psi.square()) / position.h_t;
+        TrunkBend { i_2: i_2.def(&s::DI_2) }
+    }
+
+    /// How the travel of a point of the trunk changes, `from` being its place from B, in m.
+    pub fn of_point(&self, position: &TrunkPosition<C>, travel: &TrunkTravel<C>, from: Point<C>) -> Point<C> {
+        let (square, i_2) = (travel.i_2.square(), self.i_2);
+        Point::new(-(i_2 * from.y), i_2 * from.x) - from * square - position.b
     }
 }
 

@@ -43,7 +43,7 @@ impl Balanceable for OnLink {
         -phi
     }
 
-    fn energy<C: Calc>((bars, weights): &Self::Of<C>, phi: C) -> C {
+    fn energy<C: Calc>((bars, weights): &Self::Of<C>, _: &GuidedChoice, phi: C) -> C {
         WeightMoment::new(bars, weights, &phi).load.u_0
     }
 }

@@ -52,6 +52,11 @@ pub(crate) fn at<T: Luffs>(model: &mut Standing) -> CraneAt {
     T::now(known::<T>(model)).expect("all that it is made of is given")
 }
 
+/// Whether it holds together.
+fn whole<T: Luffs>(model: &mut Standing) -> Result<(), Fault> {
+    T::holds(known::<T>(model)).map_err(|fault| *fault)
+}
+
 /// Puts a crane where it is now.
 pub(crate) fn put<T: Luffs>(model: &mut Standing, CraneAt { past, y, .. }: &CraneAt) {
     let fitted = given::<T>(model).sources.fitted;
@@ -197,7 +202,8 @@ impl<T: Luffs> Carrier for CarriedCrane<T> {
         let work = solved.map_err(|halt| refusal(&now, halt, to - from))?;
         self.count = self.count.and(work);
         put::<T>(model, &at);
-        model.update().inspect_err(|_| put::<T>(model, &before))?;
+        let whole = model.update().and_then(|()| whole::<T>(model));
+        whole.inspect_err(|_| put::<T>(model, &before))?;
         self.ahead = ahead;
         model.set_time(to);
         Ok(())
@@ -230,11 +236,14 @@ impl<T: Luffs> Carrier for CarriedCrane<T> {
 
     fn update(&mut self, model: &mut Standing) -> Result<(), Fault> {
         self.decide(model)?;
-        model.update()
+        model.update()?;
+        whole::<T>(model)
     }
 
     fn event(&mut self, model: &mut Standing) -> Result<bool, Fault> {
-        self.decide(model)
+        let jumped = self.decide(model)?;
+        whole::<T>(model)?;
+        Ok(jumped)
     }
 
     fn warning(&self) -> Option<&'static str> {

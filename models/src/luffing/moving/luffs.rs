@@ -100,6 +100,14 @@ pub trait Luffs: Component {
     /// Quantities with which there are none.
     fn in_motion(known: &mut Self::Known<f64>) -> Found<(&Level, CraneAt)>;
 
+    /// Whether it holds together as its equations take for granted.
+    ///
+    /// # Errors
+    /// What does not, where its motion ends.
+    fn holds(_: &mut Self::Known<f64>) -> Found<()> {
+        Ok(())
+    }
+
     /// Puts angle and angular velocity of the driven bar, the other states, and what happened before.
     fn put_now(known: &mut Self::Known<f64>, at: [f64; 2], states: CraneStates<f64>, past: Modes);
 
@@ -111,9 +119,10 @@ pub trait Luffs: Component {
 }
 
 /// Implements [`Luffs`] beside the stages of a component, whose groups have the names of [`MotionSources`]: its coordinate
-/// and rate are named, what it has besides those that every one has, and what it keeps of a rope that drives it.
+/// and rate are named, what it has besides those that every one has, what it keeps of a rope that drives it, and what looks
+/// whether it holds together.
 macro_rules! luffs {
-    ($component:ident by $theta:ident, $omega:ident $(with $($more:ident),+)? $(on $slack:ident)?) => {
+    ($component:ident by $theta:ident, $omega:ident $(with $($more:ident),+)? $(on $slack:ident)? $(holds $holds:ident)?) => {
         impl $crate::luffing::moving::luffs::Luffs for $component {
             const PULLED: bool = {
                 let on: &[&str] = &[$(stringify!($slack))?];
@@ -204,6 +213,10 @@ macro_rules! luffs {
                 let (built, told) = level.expect("just made");
                 Ok(($crate::luffing::moving::stages::present(built, told), at))
             }
+
+            $(fn holds(known: &mut Known<f64>) -> Found<()> {
+                $holds(known)
+            })?
 
             fn put_now(
                 known: &mut Known<f64>,

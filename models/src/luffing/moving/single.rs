@@ -33,7 +33,7 @@ use crate::parts::plane::{self, Point};
 /// A mechanism with one boom and one coordinate, the boom's angle: what is its own in motion.
 pub trait SingleBoom: Copy + Send + Sync + 'static {
     /// What it is made of over a scalar, besides load, balance, hoist and joints.
-    type Own<C: Calc>: Copy + Send + Sync;
+    type Own<C: Calc>: Clone + Send + Sync;
     /// What its balance stands on.
     type Stands: Balanceable;
     /// What of it moves and weighs.
@@ -291,7 +291,7 @@ pub fn parts<B: SingleBoom, C: Calc>(
     let (range, axis) = B::range(own);
     room.clear();
     room.push(SingleParts {
-        own: *own,
+        own: own.clone(),
         load: load.1,
         balance: *balance,
         hoist: *hoist,

@@ -22,7 +22,7 @@ pub type Weight<C> = (C, [Point<C>; 3]);
 pub trait Balanceable: Copy + Send + Sync {
     /// Its quantities over a scalar, and what the scene has chosen.
     type Of<C: Calc>: Copy + Send + Sync;
-    type Choice: Copy + Send + Sync;
+    type Choice: Clone + Send + Sync;
 
     fn map<C: Calc, D: Calc>(of: &Self::Of<C>, f: &mut dyn FnMut(C) -> D) -> Self::Of<D>;
 
@@ -36,8 +36,8 @@ pub trait Balanceable: Copy + Send + Sync {
     /// Angle (rad) of that boom, at the coordinate (rad).
     fn angle<C: Calc>(phi: C) -> C;
 
-    /// Potential energy of what is balanced (J), at the coordinate (rad).
-    fn energy<C: Calc>(of: &Self::Of<C>, phi: C) -> C;
+    /// Potential energy of what is balanced (J), at the coordinate (rad), with three derivatives.
+    fn energy<C: Calc>(of: &Self::Of<C>, choice: &Self::Choice, phi: C) -> C;
 }
 
 /// The balance over numbers with two derivatives.
@@ -65,14 +65,16 @@ impl<T: Calc + DualNum, B> Moved<T, B> {
         })
     }
 
-    fn weighed<K: Balanceable<Of<Dual2<T>> = B>>(&self, phi: T) -> Option<Weight<T>> {
+    fn weighed<K: Balanceable<Of<Dual2<T>> = B>>(&self, choice: &K::Choice, phi: T) -> Option<Weight<T>> {
         let phi = Dual2::new(phi, T::constant(1.0), T::constant(0.0));
-        let place = self.balancing.place(K::angle(phi), || K::energy(&self.boom, phi))?;
+        let place = self
+            .balancing
+            .place(K::angle(phi), || K::energy(&self.boom, choice, phi))?;
         Some((self.mass, parts(place)))
     }
 
-    fn posed<K: Balanceable<Of<Dual2<T>> = B>>(&self, phi: T) -> Option<PosedCounterweight<T>> {
-        let weight = self.weighed::<K>(phi)?;
+    fn posed<K: Balanceable<Of<Dual2<T>> = B>>(&self, choice: &K::Choice, phi: T) -> Option<PosedCounterweight<T>> {
+        let weight = self.weighed::<K>(choice, phi)?;
         let balance = self.balancing.balance.map(|x: Dual2<T>| x.re);
         Some(posed::<T, K>(weight, phi, |boom, [at, travel]| {
             balance.line(boom, at, travel)
@@ -133,14 +135,14 @@ where
             thrice: Moved::new::<K>(&d_boom, &d_form, choice, Dual64::of(gravity))?,
             boom: *boom,
             form,
-            choice: *choice,
+            choice: choice.clone(),
             gravity,
         })
     }
 
     /// With one more derivative; `None` where the balance cannot be.
     pub fn with_slope(&self, phi: Dual64) -> Option<Weight<Dual64>> {
-        self.thrice.weighed::<K>(phi)
+        self.thrice.weighed::<K>(&self.choice, phi)
     }
 }
 
@@ -155,30 +157,30 @@ pub trait Weighing<P: Calc = f64>: Over<P> {
 
 impl Weighing for f64 {
     fn weighed<K: Balanceable>(of: &MovedBalance<K, f64>, phi: f64) -> Option<Weight<f64>> {
-        of.twice.weighed::<K>(phi)
+        of.twice.weighed::<K>(&of.choice, phi)
     }
 
     fn posed<K: Balanceable>(of: &MovedBalance<K, f64>, phi: f64) -> Option<PosedCounterweight<f64>> {
-        of.twice.posed::<K>(phi)
+        of.twice.posed::<K>(&of.choice, phi)
     }
 }
 
 impl Weighing<Dual64> for Dual64 {
     fn weighed<K: Balanceable>(of: &MovedBalance<K, Dual64>, phi: Dual64) -> Option<Weight<Dual64>> {
-        of.thrice.weighed::<K>(phi)
+        of.thrice.weighed::<K>(&of.choice, phi)
     }
 
     fn posed<K: Balanceable>(of: &MovedBalance<K, Dual64>, phi: Dual64) -> Option<PosedCounterweight<Dual64>> {
-        of.thrice.posed::<K>(phi)
+        of.thrice.posed::<K>(&of.choice, phi)
     }
 }
 
 /// For the book: the place is a formula, and what derivatives give has names.
 impl Weighing<Rec> for Rec {
     fn weighed<K: Balanceable>(of: &MovedBalance<K, Rec>, phi: Rec) -> Option<Weight<Rec>> {
-        let (mass, [_, travel, bend]) = of.twice.weighed::<K>(phi.value())?;
+        let (mass, [_, travel, bend]) = of.twice.weighed::<K>(&of.choice, phi.value())?;
         let balancing = K::balancing(&of.boom, &of.form, &of.choice).ok()?;
-        let place = balancing.place(K::angle(phi), || K::energy(&of.boom, phi))?;
+        let place = balancing.place(K::angle(phi), || K::energy(&of.boom, &of.choice, phi))?;
         let place = plane::def(place, [&b::C_5X, &b::C_5Y]);
         let [travel, bend] = changes(place, phi, [travel, bend], m::OF_COUNTERWEIGHT);
         let mass = (balancing.balance.weight()? / of.gravity).rounded_as(mass);
@@ -186,7 +188,7 @@ impl Weighing<Rec> for Rec {
     }
 
     fn posed<K: Balanceable>(of: &MovedBalance<K, Rec>, phi: Rec) -> Option<PosedCounterweight<Rec>> {
-        let (weight, values) = (Rec::weighed(of, phi)?, of.twice.posed::<K>(phi.value())?);
+        let (weight, values) = (Rec::weighed(of, phi)?, of.twice.posed::<K>(&of.choice, phi.value())?);
         let balancing = K::balancing(&of.boom, &of.form, &of.choice).ok()?;
         Some(posed::<Rec, K>(weight, phi, |boom, [at, travel]| {
             let line = balancing.balance.line(boom, at, travel).zip(values.line);

@@ -36,7 +36,7 @@ impl Balanceable for OnBoom {
         phi
     }
 
-    fn energy<C: Calc>(weights: &Plain<C>, phi: C) -> C {
+    fn energy<C: Calc>(weights: &Plain<C>, _: &BoomChoice, phi: C) -> C {
         weights.load(phi).u_0
     }
 }

@@ -1,0 +1,176 @@
+//! Boom and trunk in motion: what they are to the equations of motion, in closed form over the point of contact.
+
+use crate::kernel::calc::{Calc, Over};
+use crate::kernel::group::quantities;
+use crate::kernel::symbol::{Symbol, listed};
+use crate::luffing::curved_trunk::balancing::UnderTrunk;
+use crate::luffing::curved_trunk::contact::Contact;
+use crate::luffing::curved_trunk::position::TrunkPosition;
+use crate::luffing::curved_trunk::statics::TrunkWeights;
+use crate::luffing::curved_trunk::symbols as s;
+use crate::luffing::curved_trunk::tail::{TrunkChoice, TrunkTail};
+use crate::luffing::curved_trunk::velocity::{TrunkBend, TrunkTravel};
+use crate::luffing::moving::bodies::{Body, MovedBody, Moves};
+use crate::luffing::moving::reduced::{CoordinateNames, Reduced};
+use crate::luffing::moving::single::SingleBoom;
+use crate::luffing::moving::symbols::{self as m, OfSums};
+use crate::luffing::moving::weighed::Weight;
+use crate::parts::motion::Motion;
+use crate::parts::plane::{self, Point};
+
+quantities! {
+    /// Inertias of boom and trunk.
+    TrunkInertias { j_b: J_B, j_t: J_T }
+}
+
+/// Names of what is summed for boom and trunk.
+static OF_BODY: [OfSums; 2] = [
+    OfSums {
+        mass: &s::MASS_B,
+        inertia: &s::I_RB,
+        slope: &s::DI_RB,
+    },
+    OfSums {
+        mass: &s::MASS_T,
+        inertia: &s::I_RT,
+        slope: &s::DI_RT,
+    },
+];
+
+/// What boom and trunk are made of.
+#[derive(Clone)]
+pub struct TrunkParts<C> {
+    pub tail: TrunkTail<C>,
+    pub weights: TrunkWeights<C>,
+    pub inertias: TrunkInertias<C>,
+    pub choice: TrunkChoice,
+}
+
+impl<C: Calc> TrunkParts<C> {
+    pub fn new(
+        tail: &TrunkTail<C>,
+        weights: &TrunkWeights<C>,
+        inertias: &TrunkInertias<C>,
+        choice: &TrunkChoice,
+    ) -> TrunkParts<C> {
+        TrunkParts {
+            tail: *tail,
+            weights: *weights,
+            inertias: *inertias,
+            choice: choice.clone(),
+        }
+    }
+}
+
+/// What of them moves and weighs.
+#[derive(Clone)]
+pub struct TrunkBodies<P> {
+    tail: TrunkTail<P>,
+    choice: TrunkChoice,
+    /// Of boom, from its foot, and trunk, from B.
+    pub bodies: [Body<P>; 2],
+}
+
+/// Centres of gravity of boom, from its foot, and trunk, from B, in m; and what they move by for one radian of the boom's
+/// angle, once and once more.
+pub struct TrunkCentres<C> {
+    pub boom: [Point<C>; 3],
+    pub trunk: [Point<C>; 3],
+}
+
+impl<C: Calc> TrunkCentres<C> {
+    /// Of their places in boom and trunk, in m.
+    pub fn new(
+        [boom, trunk]: [Point<C>; 2],
+        (phi, position): (C, &TrunkPosition<C>),
+        (travel, bend): (&TrunkTravel<C>, &TrunkBend<C>),
+    ) -> TrunkCentres<C> {
+        let (sin, cos) = phi.sin_cos();
+        let s_b = plane::def(plane::turned(boom, cos, sin), [&s::S_BX, &s::S_BY]);
+        let ds_b = plane::def(Point::new(-s_b.y, s_b.x), [&s::DS_BX, &s::DS_BY]);
+        let s_m = plane::turned(position.along, trunk.x, trunk.y);
+        let s_m = plane::def(s_m, [&s::S_MX, &s::S_MY]);
+        let ds_m = plane::def(travel.of_point(position, s_m), [&s::DS_MX, &s::DS_MY]);
+        let dds_m = bend.of_point(position, travel, s_m);
+        TrunkCentres {
+            boom: [s_b, ds_b, -s_b],
+            trunk: [s_m, ds_m, plane::def(dds_m, [&s::DDS_MX, &s::DDS_MY])],
+        }
+    }
+}
+
+/// A boom with a curved trunk, as its equations of motion see it.
+#[derive(Clone, Copy, Debug)]
+pub struct Trunked;
+
+impl SingleBoom for Trunked {
+    type Own<C: Calc> = TrunkParts<C>;
+    type Stands = UnderTrunk;
+    type Bodies<P: Calc> = TrunkBodies<P>;
+
+    const NAMES: CoordinateNames = CoordinateNames {
+        acceleration: &s::D_OMEGA,
+        stops: [&s::FROM, &s::TO],
+    };
+    const RATES: &'static [&'static Symbol] = listed!(s: D_PHI, D_OMEGA);
+
+    fn range<C: Calc>(own: &TrunkParts<C>) -> (Motion, C) {
+        (own.choice.range, -own.tail.trunk.x_8)
+    }
+
+    fn stands<C: Calc>(own: &TrunkParts<C>) -> ((TrunkTail<C>, TrunkWeights<C>), TrunkChoice) {
+        ((own.tail, own.weights), own.choice.clone())
+    }
+
+    fn bodies<P: Calc>(own: &TrunkParts<P>, fixed: Option<P>, gravity: P) -> TrunkBodies<P> {
+        let (w, inertias) = (&own.weights, &own.inertias);
+        let boom = Body::along_bar(w.g_b, gravity, inertias.j_b, [w.r_b, w.chi_b]);
+        let mut trunk = Body::along_bar(w.g_t, gravity, inertias.j_t, [w.r_t, w.chi_t]);
+        if let Some(load) = fixed {
+            let head = Point::new(own.tail.trunk.a, P::constant(0.0));
+            trunk = trunk.with_mass(load.def(&m::MASS_Q), head);
+            trunk.inertia = trunk.inertia.def(&s::J_TQ);
+        }
+        TrunkBodies {
+            tail: own.tail,
+            choice: own.choice.clone(),
+            bodies: [boom, trunk],
+        }
+    }
+
+    /// `None` where the tie does not reach from tail to frame.
+    fn at<P: Calc, C: Over<P>>(
+        of: &TrunkBodies<P>,
+        gravity: P,
+        phi: C,
+        counterweight: Option<Weight<C>>,
+    ) -> Option<Reduced<C>> {
+        let (zero, tail) = (C::constant(0.0), of.tail.map(C::of));
+        let contact = Contact::new(&tail, &of.choice, &phi).ok()?;
+        let position = TrunkPosition::new(&tail, &contact);
+        let travel = TrunkTravel::new(&position);
+        let bend = TrunkBend::new(&contact, &position, &travel);
+        let centres = of.bodies.map(|body| body.centre.map(C::of));
+        let TrunkCentres { boom, trunk } = TrunkCentres::new(centres, (phi, &position), (&travel, &bend));
+        let place = [position.b + trunk[0], trunk[1], trunk[2]];
+        let dd_a = bend.of_point(&position, &travel, position.front);
+        let moves = Moves {
+            bodies: [
+                MovedBody {
+                    centre: boom,
+                    turn: [C::constant(1.0), zero],
+                },
+                MovedBody {
+                    centre: place,
+                    turn: [travel.i_2.square(), travel.i_2 * bend.i_2],
+                },
+            ],
+            counterweight,
+            head: [position.a, travel.a, plane::def(dd_a, [&m::DDA_X, &m::DDA_Y])],
+            drive: [zero; 2],
+            turn: [zero; 2],
+            lead: None,
+        };
+        Some(Reduced::of(of.bodies.each_ref(), OF_BODY.each_ref(), gravity, moves))
+    }
+}
