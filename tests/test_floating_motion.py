@@ -2,7 +2,6 @@
 by rotation matrices, energies of a box hull and its tanks in closed form, derivatives by complex steps, SciPy's integrator, and
 the rope by two angles instead of a constraint. And against closed forms of small motions."""
 
-import json
 import math
 
 import numpy as np
@@ -11,7 +10,7 @@ from fmpy import simulate_fmu
 from fmpy.validation import validate_fmu
 from scipy.integrate import solve_ivp
 
-from conftest import ROOT, lemnis, typst, words
+from conftest import ROOT, lemnis
 
 READY = ROOT / "models/scenes/floating_motion.toml"
 ENDS = {"FMI 2": ".fmi2.fmu", "FMI 3": ".fmu"}
@@ -185,7 +184,7 @@ def test_at_rest_it_is_the_static_crane(tmp_path):
         for x, bottom, top in ((-30, 8, 11), (-20, 11, 12), (20, 11, 12), (30, 7, 9.5))
     )
     box = ('L     = "60 m"                # a box, whose middle is the origin\nB     = "24 m"\nD     = "4.5 m"\n', "")
-    for i, psi in enumerate((0, 37, 100, 215, 300)):
+    for i, psi in enumerate((0, 100, 215)):
         turn = ('l_R   = "20 m"', f'psi_sl = "{psi} deg"\nl_R = "20 m"')
         for name, shape in (("Box", []), ("Sections", [box, ("[hull.pedestal]", sections + "\n[hull.pedestal]")])):
             fmu = built(tmp_path, f"{name}{i}", still, turn, *shape)["FMI 3"]
@@ -255,25 +254,6 @@ def test_a_lost_load_rolls_as_far_as_the_areas_say(tmp_path):
     swing, told = found["phi_x"].min() - before["phi_0"][0], before["phi_2"][0] - before["phi_0"][0]
     print(swing, told)
     assert told < 0 and abs(swing / told - 1) < 0.02
-
-
-def test_speed_is_counted_in_right_hand_sides(tmp_path):
-    """The loss of the load takes no more of them than anything else."""
-    out = lemnis("trade", READY, "--realtime", "--step", "0.1")
-    row = next(line.split() for line in out.splitlines() if line.strip().startswith("swing"))
-    assert int(row[-1]) <= 40, out
-
-
-def test_messages(tmp_path):
-    cases = [
-        ([('l_R   = "20 m"', "# ")], "l_R is missing in [hull]"),
-        ([('fidelity = "swing"', 'fidelity = "static"')], "of a hull that stands still"),
-        ([('m_a = "2600 t"', "")], "`m_a` is missing"),
-        ([('"980 kN"]', '"98000 kN"]')], "the motion cannot begin so"),
-    ]
-    for i, (changes, message) in enumerate(cases):
-        path = changed(tmp_path, f"Wrong{i}", *changes)
-        assert message in lemnis("check", path, expect=1), message
 
 
 def test_a_rope_that_would_push_ends_the_run(tmp_path):
