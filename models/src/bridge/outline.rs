@@ -8,7 +8,7 @@ use crate::kernel::symbol::listed;
 pub const OUTLINE: Outline = Outline {
     inputs: chapters!(
         bridge "", load "Q", bridge_tow "tow", bridge_wheels "driven", bridge_sheaves "sheaves", bridge_ropes "ropes",
-        bridge_travel "profile", motion, limits
+        bridge_travel "profile", hook, motion, limits
     ),
     constants: &[
         ("bridge_suspension", &[Stage("hanging")]),
@@ -50,7 +50,7 @@ pub const OUTLINE: Outline = Outline {
         Limit::at_least("bridge_rope", &s::NU_TOW_MIN),
         Limit::at_least("bridge_grip", &s::K_AD_MIN),
     ],
-    uses: &[("bridge_start", listed!(s: PHI_R, OMEGA_R))],
-    forces: listed!(s: F_R, R_1, R_2, T_1, T_2, S_R, F_DR),
+    uses: &[],
+    forces: listed!(s: F_R, R_1, R_2, T_1, T_2),
     worst: &[("greatest_rail_load", &s::R_1_MAX)],
 };

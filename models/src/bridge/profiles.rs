@@ -68,29 +68,23 @@ impl Start {
         match self {
             Start::Pulse => C::constant(2.0),
             Start::TwoPulses => {
-                let lasts = (v_c / a_c).smaller(period.scaled(0.5));
-                (frequency * lasts).scaled(0.5).sin()
+                let half = (v_c / a_c).scaled(0.5).smaller(period.scaled(0.25));
+                (frequency * half).sin()
             }
             Start::Sixths => C::constant(1.0),
         }
     }
 
     /// What is left over that which hangs back steadily, at a frequency (rad/s), of a start made for a period (s):
-    /// 2|sin(ω T/2)|; 2|sin(ω τ/2) cos(ω T/4)|; 2|sin(ω t/2) − sin(ω(t/2 − T/6)) + sin(ω(t/2 − T/3))|.
+    /// 2|sin(ω T/2)|; 2|sin(ω τ/2) cos(ω T/4)|; 2|sin(ω τ/2)(2 cos(ω T/6) − 1)|, with τ = v/a.
     pub fn left<C: Calc>(self, profile: &TravelProfile<C>, frequency: C, period: C) -> C {
-        let [_, lasts] = self.timed(profile, period);
-        let sine = |time: C| (frequency * time).sin();
-        let half = lasts.scaled(0.5);
+        let [rate, _] = self.timed(profile, period);
+        let sine = |time: C| (frequency * time.scaled(0.5)).sin();
+        let cosine = |part: f64| (frequency * period / C::constant(part)).sin_cos().1;
         let sum = match self {
-            Start::Pulse => sine(half),
-            Start::TwoPulses => {
-                let (_, cos) = (frequency * period).scaled(0.25).sin_cos();
-                sine((profile.v_c / profile.a_c).scaled(0.5)) * cos
-            }
-            Start::Sixths => {
-                let sixth = period / C::constant(6.0);
-                sine(half) - sine(half - sixth) + sine(half - sixth.scaled(2.0))
-            }
+            Start::Pulse => sine(period),
+            Start::TwoPulses => sine(profile.v_c / rate) * cosine(4.0),
+            Start::Sixths => sine(profile.v_c / rate) * (cosine(6.0).scaled(2.0) - C::constant(1.0)),
         };
         sum.scaled(2.0).abs()
     }

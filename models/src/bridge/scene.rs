@@ -15,7 +15,7 @@ use crate::component::mechanism::{Entry, Solver};
 use crate::component::moving::MovingComponent;
 use crate::component::moving::smooth::SmoothPieces;
 use crate::component::outline::{Limit, Outline};
-use crate::component::sheet::{Check, Drawing, Sheet};
+use crate::component::sheet::{Check, Drawing, Input, Sheet};
 use crate::component::standing::Standing;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::gravity;
@@ -168,7 +168,7 @@ impl Described for BridgeScene {
     const ID: &'static str = "bridge";
     const TABLE: &'static str = "trolley";
     const OUTLINE: &'static Outline = &OUTLINE;
-    const FOLLOWED: &'static [&'static Symbol] = listed!(s: X_L, P_DR);
+    const FOLLOWED: &'static [&'static Symbol] = listed!(s: X_L, S_R, F_DR, P_DR);
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "bridge_symbol",
         own: &[s::ALL],
@@ -195,12 +195,14 @@ impl Described for BridgeScene {
             return None;
         }
         let phi = n(&s::PHI_R);
+        // What stands is chosen by the greatest that the motion is told.
+        let most = |symbol: &Symbol| v.greatest(symbol.id).unwrap_or(0.0);
         let given = Given {
             place: One(&s::X_T, range.from),
             speed: One(&s::V_T, range.speed),
             command: TrolleyCommand {
-                a: n(&s::A_T),
-                v_h: n(&s::V_H),
+                a: most(&s::A_T),
+                v_h: most(&s::V_H),
                 q: n(&s::Q),
             },
             unit: BridgeTrolley::read(v)?,
@@ -284,6 +286,23 @@ impl Described for BridgeScene {
 
     fn uncovered(_: &Description<BridgeScene>) -> Vec<&'static str> {
         vec!["bridge_rest", "strength", "load_cases"]
+    }
+
+    /// The sway at the start stands where the scene does not give it.
+    fn arrange(&self, inputs: &mut Vec<Input>) {
+        let Some(load) = &self.given.swaying else { return };
+        load.map(&mut |symbol, value| {
+            if inputs.iter().all(|input| input.symbol != symbol) {
+                inputs.push(Input {
+                    symbol,
+                    value,
+                    number: None,
+                    chapter: "hook",
+                    given: None,
+                    usual: true,
+                });
+            }
+        });
     }
 
     /// On one rope as long as the simple pendulum, where that is the ropes' own length.

@@ -66,29 +66,29 @@ symbols! {
     // The tow rope.
     T_1: "T_1" "T_1" N / KN, "Tension of a tow rope on the sea side.", "equilibrium";
     T_2: "T_2" "T_2" N / KN, "Tension of a tow rope on the land side.", "equilibrium";
-    F_1: "f_1" "f_1" M / M, "Sag of a tow rope on the sea side.", "parabola";
-    F_2: "f_2" "f_2" M / M, "Sag of a tow rope on the land side.", "parabola";
+    F_1: "f_1" "f_1" M / M, "Sag of a tow rope on the sea side.", "equilibrium";
+    F_2: "f_2" "f_2" M / M, "Sag of a tow rope on the land side.", "equilibrium";
     F_TOW: "f_tow" "f" M / M, "Greater of both sags.", "derived";
     DELTA_1: "delta_1" "delta_1" M / MM, "Stretch of a tow rope from its sheave on the sea side to the trolley.", "Hooke";
     DELTA_2: "delta_2" "delta_2" M / MM, "Stretch of a tow rope from its sheave on the land side to the trolley.", "Hooke";
     NU: "nu" "nu" ONE / ONE, "Least breaking force over tension of a tow rope.", "derived";
 
     // The suspension.
-    C_R: "c_r" "c_\"r\"" M / M, "Half of how much closer the ropes are along the beam on the spreader than on the trolley; zero where they are parallel.", "geometry";
-    C_X: "c_x" "c_x" M / M, "The same across the beam.", "geometry";
-    H_R: "h_r" "h_\"r\"" M / M [positive], "Height of the trolley's rope joints above those of the spreader.", "geometry";
-    KAPPA_R: "kappa_r" "kappa" PER_M / PER_M, "Turn of the spreader against the sway, over its travel.", "geometry";
+    C_R: "c_r" "c_\"r\"" M / M, "Half of how much closer the ropes are along the beam on the spreader than on the trolley; zero where they are parallel.", "derived";
+    C_X: "c_x" "c_x" M / M, "The same across the beam.", "derived";
+    H_R: "h_r" "h_\"r\"" M / M [positive], "Height of the trolley's rope joints above those of the spreader.", "derived";
+    KAPPA_R: "kappa_r" "kappa" PER_M / PER_M, "Turn of the spreader against the sway, over its travel.", "derived";
     D_R: "D_r" "D" ONE / ONE, "Mass of the load that sways, over that of a load on parallel ropes.", "Lagrange";
     E_R: "E_r" "E" ONE / ONE, "What brings the load back, over that on parallel ropes.", "Lagrange";
     L_E: "l_e" "l_\"e\"" M / M [positive], "Length of the simple pendulum that sways as the load on its four ropes does.", "Lagrange";
     LAMBDA_E: "lambda_e" "lambda_\"e\"" ONE / ONE, "Change of that length over the change of the ropes' length.", "Lagrange";
     NU_X: "nu_x" "nu_x" ONE / ONE, "Part of the trolley's acceleration that the sway feels.", "Lagrange";
     OMEGA_E: "omega_e" "omega_\"e\"" RAD_PER_S / RAD_PER_S [positive], "Frequency of small sway on the four ropes.", "Lagrange";
-    OMEGA_G: "omega_g" "omega_\"g\"" RAD_PER_S / RAD_PER_S [positive], "Frequency of a simple pendulum on one rope as long.", "Huygens";
+    OMEGA_G: "omega_g" "omega_\"g\"" RAD_PER_S / RAD_PER_S [positive], "Frequency of a simple pendulum on one rope as long.", "derived";
     K_OMEGA: "k_omega" "k_omega" ONE / ONE, "The first of these frequencies over the second one.", "derived";
     T_S: "T_s" "T" S / S [positive], "Period of small sway on the four ropes.", "derived";
     T_G: "T_g" "T_\"g\"" S / S [positive], "Period of a simple pendulum on one rope as long.", "derived";
-    A_Z: "A_z" "A_z" M2 / M2, "Product of the ropes' arms about the vertical.", "geometry";
+    A_Z: "A_z" "A_z" M2 / M2, "Product of the ropes' arms about the vertical.", "derived";
     OMEGA_Z: "omega_z" "omega_z" RAD_PER_S / RAD_PER_S [positive], "Frequency of small skew: spreader and container turn about the vertical.", "Lagrange";
     T_Z: "T_z" "T_z" S / S [positive], "Period of small skew.", "derived";
     PSI_Z: "psi_z" "psi_z" RAD / DEG, "Skew while the trolley accelerates steadily, its load out of the middle.", "equilibrium";
@@ -96,25 +96,25 @@ symbols! {
     // Cycle and profiles.
     T_TR: "t_tr" "t_\"tr\"" S / S, "Time of the way, from rest to rest.", "derived";
     T_CYC: "t_cyc" "t_\"cyc\"" S / S, "Time of a cycle: two ways, and the rest.", "derived";
-    A_P1: "a_p1" "a_(\"p\" 1)" M_PER_S2 / M_PER_S2, "Acceleration of the one pulse of a period's length.", "linear oscillator";
-    T_P1: "t_p1" "t_(\"p\" 1)" S / S, "Duration of the one pulse.", "linear oscillator";
-    PHI_P1: "phi_p1" "phi_(\"p\" 1)" RAD / DEG, "Greatest sway in the one pulse.", "linear oscillator";
-    RHO_P1: "rho_p1" "rho_(\"p\" 1)" RAD / DEG [not_negative], "Sway that the one pulse leaves where it has the simple pendulum's period.", "linear oscillator";
-    A_P2: "a_p2" "a_(\"p\" 2)" M_PER_S2 / M_PER_S2, "Acceleration of the two equal pulses together.", "linear oscillator";
-    T_P2: "t_p2" "t_(\"p\" 2)" S / S, "Duration of the two equal pulses, half a period apart.", "linear oscillator";
-    PHI_P2: "phi_p2" "phi_(\"p\" 2)" RAD / DEG, "Greatest sway in the two equal pulses.", "linear oscillator";
-    RHO_P2: "rho_p2" "rho_(\"p\" 2)" RAD / DEG [not_negative], "Sway that the two equal pulses leave where they are half of the simple pendulum's period apart.", "linear oscillator";
-    A_P3: "a_p3" "a_(\"p\" 3)" M_PER_S2 / M_PER_S2, "Acceleration of the start by sixths of a period.", "linear oscillator";
-    T_P3: "t_p3" "t_(\"p\" 3)" S / S, "Duration of the start by sixths: on, off, on for as long as it takes, off, on.", "linear oscillator";
-    PHI_P3: "phi_p3" "phi_(\"p\" 3)" RAD / DEG, "Greatest sway in the start by sixths: it hangs back steadily.", "linear oscillator";
-    RHO_P3: "rho_p3" "rho_(\"p\" 3)" RAD / DEG [not_negative], "Sway that the start by sixths leaves where it has sixths of the simple pendulum's period.", "linear oscillator";
+    A_P1: "a_p1" "a_(\"p\" 1)" M_PER_S2 / M_PER_S2, "Acceleration of the one pulse of a period's length.", "equations of motion";
+    T_P1: "t_p1" "t_(\"p\" 1)" S / S, "Duration of the one pulse.", "equations of motion";
+    PHI_P1: "phi_p1" "phi_(\"p\" 1)" RAD / DEG, "Greatest sway in the one pulse.", "equations of motion";
+    RHO_P1: "rho_p1" "rho_(\"p\" 1)" RAD / DEG [not_negative], "Sway that the one pulse leaves where it is made for another period: in the formula for the simple pendulum's.", "equations of motion";
+    A_P2: "a_p2" "a_(\"p\" 2)" M_PER_S2 / M_PER_S2, "Acceleration of the two equal pulses together.", "equations of motion";
+    T_P2: "t_p2" "t_(\"p\" 2)" S / S, "Duration of the two equal pulses, half a period apart.", "equations of motion";
+    PHI_P2: "phi_p2" "phi_(\"p\" 2)" RAD / DEG, "Greatest sway in the two equal pulses.", "equations of motion";
+    RHO_P2: "rho_p2" "rho_(\"p\" 2)" RAD / DEG [not_negative], "Sway that the two equal pulses leave where they are made for another period: in the formula for the simple pendulum's.", "equations of motion";
+    A_P3: "a_p3" "a_(\"p\" 3)" M_PER_S2 / M_PER_S2, "Acceleration of the start by sixths of a period.", "equations of motion";
+    T_P3: "t_p3" "t_(\"p\" 3)" S / S, "Duration of the start by sixths: on, off, on for as long as it takes, off, on.", "equations of motion";
+    PHI_P3: "phi_p3" "phi_(\"p\" 3)" RAD / DEG, "Greatest sway in the start by sixths: it hangs back steadily.", "equations of motion";
+    RHO_P3: "rho_p3" "rho_(\"p\" 3)" RAD / DEG [not_negative], "Sway that the start by sixths leaves where it is made for another period: in the formula for the simple pendulum's.", "equations of motion";
 
     // In motion.
     OMEGA_R: "omega_R" "omega_R" RAD_PER_S / DEG_PER_S, "Angular velocity of the sway.", "equations of motion";
     F_PHI: "F_phi" "F_phi" N / KN, "Pull of the load on the trolley along the beam; positive to the sea side.", "equilibrium";
     F_DR: "F_dr" "F_\"dr\"" N / KN, "Force of the travel drive on a trolley whose load sways; positive to the sea side.", "Newton and Euler";
     P_DR: "P_dr" "P_\"dr\"" W / KW, "Power of the travel motor of a trolley whose load sways; negative where it brakes.", "derived";
-    X_L: "x_L" "x_L" M / M, "Place of the load along the beam, from the rail of the sea side.", "geometry";
+    X_L: "x_L" "x_L" M / M, "Place of the load along the beam, from the rail of the sea side.", "derived";
     D_L_E: "d_l_e" "dot(l)_\"e\"" M_PER_S / M_PER_S, "Rate of the length of the simple pendulum.", "derived";
     D_X_T: "der(x_t)" "dot(x)_\"t\"" M_PER_S / M_PER_S, "Rate of the trolley's place.", "state";
     D_V_T: "der(v_t)" "dot(v)_\"t\"" M_PER_S2 / M_PER_S2, "Rate of the trolley's speed.", "state";
@@ -128,16 +128,16 @@ symbols! {
     R_1_MAX: "R_1_max" "R_(1,max)" N / KN, "Greatest load of the sea side's rail in the working range.", "derived";
     R_2_MIN: "R_2_min" "R_(2,min)" N / KN, "Least load of the land side's rail in the working range.", "derived";
     F_TOW_MAX: "f_tow_max" "f_max" M / M, "Greatest sag of a tow rope in the working range.", "derived";
-    NU_TOW_MIN: "nu_tow_min" "nu_tow_min" ONE / ONE, "Least safety of a tow rope in the working range.", "derived";
+    NU_TOW_MIN: "nu_tow_min" "nu_min" ONE / ONE, "Least safety of a tow rope in the working range.", "derived";
     K_AD_MIN: "k_ad_min" "k_(\"ad\",min)" ONE / ONE [infinite("where the trolley asks for no force")], "Least safety against slipping in the working range.", "derived";
     NUMBER: "number" "i" ONE / ONE, "Number of a profile: one pulse, two equal pulses, sixths of a period.", "input";
-    A_P: "a_p" "a_(\"p\" i)" M_PER_S2 / M_PER_S2, "Acceleration of a profile.", "linear oscillator";
-    T_P: "t_p" "t_(\"p\" i)" S / S, "Duration of a profile.", "linear oscillator";
-    PHI_P: "phi_p" "phi_(\"p\" i)" RAD / DEG, "Greatest sway in a profile.", "linear oscillator";
+    A_P: "a_p" "a_(\"p\" i)" M_PER_S2 / M_PER_S2, "Acceleration of a profile.", "equations of motion";
+    T_P: "t_p" "t_(\"p\" i)" S / S, "Duration of a profile.", "equations of motion";
+    PHI_P: "phi_p" "phi_(\"p\" i)" RAD / DEG, "Greatest sway in a profile.", "equations of motion";
     PHI_RUN: "phi_run" "phi_(\"run\" i)" RAD / DEG, "The same in a run of the model.", "equations of motion";
-    RHO_E: "rho_e" "rho_(\"e\" i)" RAD / DEG [not_negative], "Sway that a profile leaves which has the period of the four ropes.", "linear oscillator";
+    RHO_E: "rho_e" "rho_(\"e\" i)" RAD / DEG [not_negative], "Sway that a profile leaves which has the period of the four ropes.", "equations of motion";
     RHO_RUN: "rho_run" "rho_(\"run\" i)" RAD / DEG [not_negative], "The same in a run of the model.", "equations of motion";
-    RHO_G: "rho_g" "rho_(\"g\" i)" RAD / DEG [not_negative], "Sway that a profile leaves which has the simple pendulum's period.", "linear oscillator";
+    RHO_G: "rho_g" "rho_(\"g\" i)" RAD / DEG [not_negative], "Sway that a profile leaves which has the simple pendulum's period.", "equations of motion";
     RHO_G_RUN: "rho_g_run" "rho_(\"gr\" i)" RAD / DEG [not_negative], "The same in a run of the model.", "equations of motion";
     AGREEMENT: "agreement" "delta" ONE / ONE, "Difference of two independent ways, relative to the largest value.", "derived";
 }
