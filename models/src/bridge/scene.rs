@@ -138,14 +138,13 @@ fn suits(v: &Values, range: &Motion, moves: bool, found: &mut Vec<Diagnostic>) {
         .chain([(v, &s::N_W)])
     {
         let count = table.of(symbol).unwrap_or_default();
-        if count.fract() != 0.0 || symbol == &s::N_DR && count > wheels {
-            let what = format!("{} = {count} of n_w = {wheels} wheels", symbol.id);
-            found.push(table.refuse(
-                symbol.id,
-                what,
-                "no such number",
-                "give a whole number; at most all wheels are driven",
-            ));
+        if count.fract() != 0.0 {
+            let what = format!("{} = {count}", symbol.id);
+            found.push(table.refuse(symbol.id, what, "no whole number", "give a whole number"));
+        } else if symbol == &s::N_DR && count > wheels {
+            let what = format!("{count} driven wheels of {wheels}");
+            let help = "drive at most as many as n_w, or give more wheels";
+            found.push(table.refuse(symbol.id, what, "more than there are", help));
         }
     }
     for (symbol, beyond) in [(&s::X_1, range.to), (&s::X_2, range.from)] {
