@@ -33,6 +33,7 @@ pub struct Suspended<C> {
     pub height: C,
     turn: C,
     mass: C,
+    kept: C,
     back: C,
     pub length: C,
     pub slope: C,
@@ -49,6 +50,7 @@ results! { Suspended as h => {
     H_R: h.height;
     KAPPA_R: h.turn;
     D_R: h.mass;
+    D_K: h.kept;
     E_R: h.back;
     L_E: h.length;
     LAMBDA_E: h.slope;
@@ -87,9 +89,9 @@ impl<C: Calc> Suspended<C> {
         let mass = (travel + ropes.i_q.square() * square).def(&s::D_R);
         let back = (one + (ropes.a_o * ropes.a_u + ropes.e_q * height) * square).def(&s::E_R);
         let simple_length = (height * mass / back).def(&s::L_E);
-        let own = one - (ropes.e_q.square() + ropes.i_q.square()) * square;
+        let kept = (one - (ropes.e_q.square() + ropes.i_q.square()) * square).def(&s::D_K);
         let rest = simple_length * square * (ropes.e_q + (ropes.a_o * ropes.a_u).scaled(2.0) / height);
-        let slope = (*length / height * (own + rest) / back).def(&s::LAMBDA_E);
+        let slope = (*length / height * (kept + rest) / back).def(&s::LAMBDA_E);
         let frequency = (**gravity / simple_length).sqrt().def(&s::OMEGA_E);
         let simple = (**gravity / *length).sqrt().def(&s::OMEGA_G);
         Ok(Suspended {
@@ -97,6 +99,7 @@ impl<C: Calc> Suspended<C> {
             height,
             turn,
             mass,
+            kept,
             back,
             length: simple_length,
             slope,

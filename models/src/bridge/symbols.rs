@@ -79,6 +79,7 @@ symbols! {
     H_R: "h_r" "h_\"r\"" M / M [positive], "Height of the trolley's rope joints above those of the spreader.", "derived";
     KAPPA_R: "kappa_r" "kappa" PER_M / PER_M, "Turn of the spreader against the sway, over its travel.", "derived";
     D_R: "D_r" "D" ONE / ONE, "Mass of the load that sways, over that of a load on parallel ropes.", "Lagrange";
+    D_K: "D_k" "D_kappa" ONE / ONE, "That mass without what a change of the ropes' length takes of it.", "Lagrange";
     E_R: "E_r" "E" ONE / ONE, "What brings the load back, over that on parallel ropes.", "Lagrange";
     L_E: "l_e" "l_\"e\"" M / M [positive], "Length of the simple pendulum that sways as the load on its four ropes does.", "Lagrange";
     LAMBDA_E: "lambda_e" "lambda_\"e\"" ONE / ONE, "Change of that length over the change of the ropes' length.", "Lagrange";
