@@ -17,7 +17,7 @@ from intervals import FUNCTIONS, Interval
 
 UNITS = {
     "": 1, "%": 0.01, "m": 1, "mm": 1e-3, "m²": 1, "rad": 1, "°": math.pi / 180, "rad/s": 1, "°/s": math.pi / 180,
-    "m/s": 1, "mm/s": 1e-3, "N": 1, "kN": 1e3, "N·m": 1, "kN·m": 1e3, "m⁴": 1, "m·rad": 1, "m·°": math.pi / 180, "kJ": 1e3, "m³/s": 1, "L/min": 1e-3 / 60,
+    "m/s": 1, "mm/s": 1e-3, "N": 1, "kN": 1e3, "MN": 1e6, "N·m": 1, "kN·m": 1e3, "m⁴": 1, "m·rad": 1, "m·°": math.pi / 180, "kJ": 1e3, "m³/s": 1, "L/min": 1e-3 / 60,
     "kg": 1, "t": 1e3, "kg/s": 1, "t/h": 1e3 / 3600, "s/m": 1, "N·s": 1, "kN·s": 1e3, "kg·m²": 1, "t·m²": 1e3, "N·m·s": 1, "kN·m·s": 1e3, "m/s²": 1, "J/kg": 1, "rad/s²": 1, "s": 1, "1/s": 1, "1/s²": 1, "1/m": 1, "m²/t": 1e-3, "kg/m³": 1,
     "Pa": 1, "bar": 1e5, "MPa": 1e6, "m³": 1, "L": 1e-3, "cm³": 1e-6, "L/(min·MPa)": 1e-9 / 60, "MPa/s": 1e6, "kN/m": 1e3,
     "kN·s/m": 1e3, "N/m": 1, "N·s/m": 1, "ms": 1e-3, "r/min": 1 / 60, "m/min": 1 / 60, "cm": 1e-2, "kW": 1e3,

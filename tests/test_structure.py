@@ -149,7 +149,7 @@ FLOORS = [
     ["parts"],
     ["component"],
     ["balance", "drive"],
-    ["luffing", "slewing", "steering", "supports", "hopper", "unloader", "afloat"],
+    ["luffing", "slewing", "steering", "supports", "hopper", "unloader", "bridge", "afloat"],
     ["registry", "book", "vary"],
     ["reading", "request", "study"],
     ["scene"],

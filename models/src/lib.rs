@@ -1,7 +1,7 @@
 //! Equations, symbols and scenes of Lemnis. No I/O, no FMI, no templates.
 //!
 //! A scene's text ([`scene`]) is checked against its keys ([`kernel::schema`]) and
-//! becomes a mechanism of the [`registry`]: [`luffing`] with its [`balance`] and [`drive`], [`slewing`], [`hopper`], [`unloader`], [`afloat`], [`steering`], [`supports`]. Its equations, over
+//! becomes a mechanism of the [`registry`]: [`luffing`] with its [`balance`] and [`drive`], [`slewing`], [`hopper`], [`unloader`], [`bridge`], [`afloat`], [`steering`], [`supports`]. Its equations, over
 //! [`parts`], run on any scalar ([`kernel::calc`]): on `f64` in a model, which the
 //! FMU steps, on the recorder ([`kernel::record`]) for the book's sheet; both are made in [`component`].
 //! The synthesis of a balance, and of whatever a scene asks for ([`request`]), is searches without FMU;
@@ -13,6 +13,7 @@ pub mod afloat;
 pub mod alone;
 pub mod balance;
 pub mod book;
+pub mod bridge;
 pub mod component;
 pub mod drive;
 pub mod hopper;

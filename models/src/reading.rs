@@ -56,9 +56,10 @@ pub(crate) fn mechanism(
         .collect();
     match given.as_slice() {
         [(name, table)] => {
-            let mut kinds = registry::MECHANISMS.iter().filter(|entry| entry.table == *name);
-            let kind = table.text(KIND);
-            let entry = kinds.find(|entry| kind.is_none_or(|kind| entry.kind == kind))?;
+            let kinds = || registry::MECHANISMS.iter().filter(|entry| entry.table == *name);
+            // Where a table describes one mechanism alone, the kind is that one's own choice.
+            let kind = table.text(KIND).filter(|_| kinds().count() > 1);
+            let entry = kinds().find(|entry| kind.is_none_or(|kind| entry.kind == kind))?;
             Some((*name, (entry.read)(table, gravity, found)?))
         }
         // What is wrong with one that cannot be read has been told.

@@ -7,6 +7,8 @@ use crate::afloat;
 use crate::afloat::scene::AfloatScene;
 use crate::balance;
 use crate::balance::task::Search;
+use crate::bridge;
+use crate::bridge::scene::BridgeScene;
 use crate::component::dependencies::{dependencies as traced, recorded};
 use crate::component::description::{Described, Vocabulary};
 use crate::component::judged::{Judged, Sought, judged as found};
@@ -64,6 +66,7 @@ pub static MECHANISMS: &[Entry] = &[
     column::scene::ENTRY,
     hopper::scene::ENTRY,
     unloader::scene::ENTRY,
+    bridge::scene::ENTRY,
     afloat::scene::ENTRY,
 ];
 
@@ -116,6 +119,12 @@ pub const GRAB_UNLOADER: Key = Key::part(
     "A grab unloader with a rope trolley: ropes, drums, motors, cycle.",
 );
 
+pub const TROLLEY: Key = Key::part(
+    "trolley",
+    bridge::scene::KEYS,
+    "The trolley of a container bridge: travel, tow rope or driven wheels, four ropes, starts without sway.",
+);
+
 pub const HULL: Key = Key::part("hull", afloat::scene::KEYS, "The hull on which a crane floats.");
 
 /// Parts of a crane that may stand beside its mechanism, at the top of the scene, as well as within it.
@@ -129,7 +138,7 @@ pub const PARTS: [Key; 5] = [
 
 /// The scene's tables that a mechanism may stand in; what may be a part of another one comes last.
 pub fn tables() -> impl Iterator<Item = &'static str> {
-    let whole = [LUFFING, STEERING, SUPPORTS, HOPPER, GRAB_UNLOADER, HULL];
+    let whole = [LUFFING, STEERING, SUPPORTS, HOPPER, GRAB_UNLOADER, TROLLEY, HULL];
     whole.into_iter().chain([PARTS[3]]).map(|key| key.name)
 }
 
@@ -183,6 +192,7 @@ static TELLERS: &[Teller] = &[
     teller::<ColumnScene>(),
     teller::<HopperScene>(),
     teller::<UnloaderScene>(),
+    teller::<BridgeScene>(),
     teller::<AfloatScene>(),
 ];
 

@@ -69,6 +69,7 @@ pub static KEYS: &[Key] = &[
     registry::SUPPORTS,
     registry::HOPPER,
     registry::GRAB_UNLOADER,
+    registry::TROLLEY,
     registry::HULL,
     registry::PARTS[0],
     registry::PARTS[1],

@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 
 use lemnis_models::afloat;
 use lemnis_models::balance;
+use lemnis_models::bridge;
 use lemnis_models::drive;
 use lemnis_models::hopper;
 use lemnis_models::kernel::gravity;
@@ -19,7 +20,7 @@ use lemnis_models::supports::{column, drive as drive_of_supports, mobile, portal
 use lemnis_models::unloader;
 
 /// Every mechanism with its table.
-const TABLES: [(&str, &[&Symbol]); 34] = [
+const TABLES: [(&str, &[&Symbol]); 35] = [
     ("The double-link luffing mechanism", double_link::symbols::ALL),
     (
         "The double-link luffing mechanism in motion",
@@ -67,6 +68,10 @@ const TABLES: [(&str, &[&Symbol]); 34] = [
     (
         "A grab unloader: speeds and forces of the trolley to the sea side, of the grab upward",
         unloader::symbols::ALL,
+    ),
+    (
+        "The trolley of a container bridge: places, speeds and forces to the sea side, hoisting upward",
+        bridge::symbols::ALL,
     ),
     ("A crane on a hull that floats", afloat::symbols::ALL),
     ("Gravity", gravity::ALL),

@@ -6,6 +6,7 @@
 
 mod afloat;
 mod bodies;
+mod bridge;
 mod cases;
 mod column;
 mod control;

@@ -14,7 +14,7 @@ use lemnis_models::scene::KEYS;
 use toml::{Table, Value};
 
 use crate::{
-    afloat, column, curved_trunk, ellipsograph, hopper, luffing, mobile, portal, ring, rope, slewing, steering,
+    afloat, bridge, column, curved_trunk, ellipsograph, hopper, luffing, mobile, portal, ring, rope, slewing, steering,
     unloader,
 };
 
@@ -88,6 +88,11 @@ fn maker(mechanism: &str) -> Option<Maker> {
             edge: unloader::edge,
             result: unloader::RESULT,
         }),
+        "trolley" => Some(Maker {
+            legal: bridge::legal,
+            edge: bridge::edge,
+            result: bridge::RESULT,
+        }),
         "hull" => Some(Maker {
             legal: afloat::legal,
             edge: afloat::edge,
@@ -124,7 +129,8 @@ impl Case {
             draw.tell_over_time(keys, &mut made, oil);
         }
         let alone = MECHANISMS.iter().filter(|other| other.table == mechanism).count() == 1;
-        if !alone || keys.iter().any(|key| key.name == KIND) && draw.coin(0.5) {
+        let names = |key: &Key| key.name == KIND && matches!(key.kind, Kind::Choice(of) if of.contains(&entry.kind));
+        if !alone || keys.iter().any(names) && draw.coin(0.5) {
             made.insert(KIND.to_owned(), entry.kind.into());
         }
         let mut table = draw.around(mechanism, made, maker.as_ref().map(|maker| maker.result));

@@ -1,4 +1,4 @@
-//! What several mechanisms are made of: plane geometry, air, ground, a four-bar, a speed controller, solids cut by a plane, joints, buckling, slewing, teeth, a load curve, a load on its rope, a hoist, a body on springs, motors with brakes, motion over a range, oil, solvers.
+//! What several mechanisms are made of: plane geometry, air, ground, a four-bar, a speed controller, solids cut by a plane, joints, buckling, slewing, teeth, a load curve, a load on its rope, a hoist, a body on springs, motors with brakes, motion over a range, travel of a trolley, oil, solvers.
 
 pub mod air;
 pub mod arcs;
@@ -24,5 +24,6 @@ pub mod solid;
 pub mod solver;
 pub mod springs;
 pub mod teeth;
+pub mod travel;
 pub mod turntable;
 pub mod turntable_control;

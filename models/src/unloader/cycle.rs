@@ -4,11 +4,12 @@ use crate::component::stages::results;
 use crate::kernel::calc::{Among, Calc, sum};
 use crate::kernel::group::{One, quantities};
 use crate::kernel::variable::Fault;
-use crate::unloader::motors::{at_motor, at_ropes};
+use crate::parts::travel::{along, at_motor, sense};
+use crate::unloader::motors::at_ropes;
 use crate::unloader::reeving::{Reeving, Scheme};
 use crate::unloader::ropes::{RopeDrum, SlackRope, driven, tensions};
 use crate::unloader::symbols as s;
-use crate::unloader::trolley::{AuxiliaryTrolley, GrabTrolley, along, auxiliary, parts, sense};
+use crate::unloader::trolley::{AuxiliaryTrolley, GrabTrolley, auxiliary, parts};
 
 quantities! {
     /// A phase: duration (s), speeds (m/s) and acceleration (m/s²), contents, part of the closing ropes.

@@ -3,6 +3,7 @@
 use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::{One, quantities};
+use crate::parts::travel::at_motor;
 use crate::unloader::reeving::{Reeving, Scheme};
 use crate::unloader::ropes::TrolleyRopes;
 use crate::unloader::symbols as s;
@@ -11,15 +12,6 @@ use crate::unloader::trolley::{GrabCommand, GrabTrolley};
 quantities! {
     /// How the dynamic factor rises with the hoisting speed.
     DynamicFactor { phi_min: PHI_2_MIN, beta: BETA_2 }
-}
-
-/// Power of a motor, in W, for that of its ropes: losses are added where it drives, taken off where it brakes.
-pub fn at_motor<C: Calc>(power: C, efficiency: C) -> C {
-    if power.value() < 0.0 {
-        power * efficiency
-    } else {
-        power / efficiency
-    }
 }
 
 /// Powers at the ropes of hoisting, closing and travelling, in W: with speeds of hoisting, closing and travelling (m/s), the

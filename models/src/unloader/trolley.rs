@@ -3,6 +3,7 @@
 use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::{One, quantities};
+use crate::parts::travel::{along, passed, sense};
 use crate::unloader::reeving::Reeving;
 use crate::unloader::symbols as s;
 
@@ -26,32 +27,15 @@ pub fn hanging<C: Calc>(unit: &GrabTrolley<C>, command: &GrabCommand<C>) -> C {
     (unit.g_g + command.k_q * unit.q_n).def(&s::W)
 }
 
-/// Which way the trolley goes, or starts to go: to the sea (1), to the land (−1), or it stands (0).
-pub fn sense(v: f64, a: f64) -> f64 {
-    match [v, a].into_iter().find(|value| *value != 0.0) {
-        Some(way) => way.signum(),
-        None => 0.0,
-    }
-}
-
 /// Wheels, wind, sheaves and inertia, in N: μ(G_t + W), p_w A_w, W(1 − η^n), (G_t + W) a/g. [Ports001, 7.5]
 pub fn parts<C: Calc>(unit: &GrabTrolley<C>, sheaves: u8, gravity: C, weight: C, rate: C) -> [C; 4] {
     let borne = unit.g_t + weight;
     [
         unit.mu * borne,
         unit.p_w * unit.a_w,
-        weight * (C::constant(1.0) - unit.eta_r.power([sheaves, 1])),
+        passed(weight, unit.eta_r, sheaves),
         borne / gravity * rate,
     ]
-}
-
-/// Their sum, positive to the sea side, of a trolley that goes one way or stands. [Ports001, 7.5]
-pub fn along<C: Calc>([wheels, wind, sheaves, inertia]: [C; 4], sense: f64) -> C {
-    match sense {
-        s if s > 0.0 => wheels + wind + sheaves + inertia,
-        s if s < 0.0 => inertia - wheels - wind - sheaves,
-        _ => inertia.over(wheels).over(wind).over(sheaves),
-    }
 }
 
 /// Forces against the trolley, in N, and their sum.

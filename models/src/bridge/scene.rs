@@ -1,0 +1,410 @@
+//! The trolley of a container bridge as scenes describe it and books tell it.
+
+use crate::bridge::compared::{compared, four_bar, lengths, steps_apart};
+use crate::bridge::given::{BridgeTrolley, DrivenWheels, PassedSheaves, SheaveCount, TrolleyCommand};
+use crate::bridge::outline::OUTLINE;
+use crate::bridge::profiles::TravelProfile;
+use crate::bridge::stages::{ContainerBridge, Given};
+use crate::bridge::suspension::{FourRopes, RopesLength, Suspended};
+use crate::bridge::swing::{SwayingLoad, length};
+use crate::bridge::symbols as s;
+use crate::bridge::tow::TowRope;
+use crate::component::description::{Described, Description, Vocabulary};
+use crate::component::draw::Draw;
+use crate::component::mechanism::{Entry, Solver};
+use crate::component::moving::MovingComponent;
+use crate::component::moving::smooth::SmoothPieces;
+use crate::component::outline::{Limit, Outline};
+use crate::component::sheet::{Check, Drawing, Input, Sheet};
+use crate::component::standing::Standing;
+use crate::kernel::diagnostic::Diagnostic;
+use crate::kernel::gravity;
+use crate::kernel::group::One;
+use crate::kernel::keys::keys;
+use crate::kernel::schema::{KIND, Key, Kind, Values};
+use crate::kernel::symbol::{Symbol, listed};
+use crate::kernel::variable::Fault;
+use crate::parts::hanging;
+use crate::parts::motion::{Motion, short_step};
+use crate::parts::plane::Point;
+
+/// Kinds of trolleys, as scenes name them.
+pub const KINDS: [&str; 3] = ["rope", "semi_rope", "machinery"];
+
+/// Keys of `[trolley]`.
+pub const KEYS: &[Key] = keys! { s:
+    G_T > 0 [or_mass], G_S > 0 [or_mass], Q >= 0 [or_mass], MU_T >= 0 [usually(0.008)], P_W >= 0 [usually(0.0)],
+    A_W >= 0 [usually(0.0)], GAMMA_B [usually(0.0)], ETA_D > 0 [usually(1.0)], N_W > 0 [usually(4.0)], S_B > 0,
+    A_T [over_time, optional], V_H [over_time, optional], X_T [optional], PHI_R [optional];
+    Key::new(
+        KIND,
+        Kind::Choice(&KINDS),
+        "How the trolley travels and its load is hoisted: \"rope\" (both by ropes from the bridge), \"semi_rope\" (by driven \
+         wheels, hoisted by ropes from the bridge), \"machinery\" (all drives on the trolley).",
+    ),
+    Key::choice(
+        "fidelity",
+        &["static", "swing"],
+        "How deep the trolley is modelled: \"static\" (place and speed are inputs, the load hangs straight down), \"swing\" (it \
+         follows its acceleration, and its load sways).",
+    ),
+    Key::part("tow", TOW, "The tow rope of a rope trolley."),
+    Key::part("driven", DRIVEN, "The driven wheels of a trolley with a travel drive of its own."),
+    Key::part("sheaves", OVER, "The sheaves that the hoisting ropes pass as the trolley travels."),
+    Key::table("ropes", ROPES, "The four ropes on which the spreader hangs."),
+    Key::table("profile", PROFILE, "Speed, acceleration and way of the trolley."),
+    Key::part("dynamics", DYNAMICS, "How the motion is solved."),
+    Key::table("motion", MOTION, "Working range of the trolley's place."),
+    Key::part("limits", LIMITS, "What results may come to at most, or at least.")
+};
+
+static TOW: &[Key] = keys! { s: T_0 > 0, Z_R > 0 [usually(2.0)], Q_R > 0, EA > 0, F_B > 0, X_1, X_2 };
+static DRIVEN: &[Key] = keys! { s: N_DR > 0, MU_A > 0 [usually(0.14)] };
+static OVER: &[Key] =
+    keys! { s: ETA_R > 0 [usually(0.98)]; Key::new("count", Kind::Count([1, 12]), "How many a rope passes.") };
+static ROPES: &[Key] =
+    keys! { s: L_R > 0, A_O > 0, A_U > 0, B_O > 0, B_U > 0, E_Q >= 0, I_Q > 0, I_Z > 0, D_Q [usually(0.0)] };
+static PROFILE: &[Key] = keys! { s: V_C > 0, A_C > 0, S_C > 0, T_E >= 0 [usually(0.0)] };
+static DYNAMICS: &[Key] = keys! { s: STEP > 0 };
+const MOTION: &[Key] = &Motion::keys(
+    [&s::FROM, &s::TO],
+    &s::X_T,
+    (
+        &s::V_T,
+        "Speed of the trolley to the sea side, with which it passes through the working range.",
+    ),
+);
+const LIMITS: &[Key] = &Limit::keys::<6>(OUTLINE.limits);
+
+/// Keys that say something of the motion alone.
+const MOVING: [&str; 3] = ["x_t", "phi_R", "dynamics"];
+
+/// Longest step of the solver over the period of the sway, and the shortest that may be given over that.
+const LONGEST: f64 = 0.01;
+const SHORTEST: f64 = 1e-2;
+
+/// What the rates cost, in s.
+const COST: [f64; 2] = [0.15e-6, 0.0];
+
+/// The trolley of a container bridge as the scene describes it; SI.
+#[derive(Clone, Debug)]
+pub struct BridgeScene {
+    /// At the start of the working range.
+    given: Given<f64>,
+    /// Place (m), speed (m/s), sway (rad), its rate (rad/s) and length of the ropes (m) at the start of its motion.
+    start: [f64; 5],
+    /// Longest step of the solver, in s.
+    step: f64,
+}
+
+/// As scenes describe it.
+pub const ENTRY: Entry = Description::<BridgeScene>::entry("trolley", KEYS);
+
+/// Refuses what the kind of trolley has no use for or lacks, more driven wheels than wheels, a tow rope that ends before the
+/// working range does, and what has no use where nothing moves.
+fn suits(v: &Values, range: &Motion, moves: bool, found: &mut Vec<Diagnostic>) {
+    let kind = v.text(KIND).unwrap_or_default();
+    let needs = [
+        ("tow", kind == "rope"),
+        ("driven", kind != "rope"),
+        ("sheaves", kind != "machinery"),
+    ];
+    for (table, needed) in needs {
+        match (needed, v.has(table)) {
+            (true, false) => {
+                let what = format!("[trolley.{table}] is missing of kind = \"{kind}\"");
+                found.push(v.refuse(KIND, what, format!("needs {table}"), "add it, or choose another kind"));
+            }
+            (false, true) => {
+                let what = format!("[trolley.{table}] of kind = \"{kind}\"");
+                found.push(v.refuse(table, what, "not used", "remove it, or choose another kind"));
+            }
+            _ => {}
+        }
+    }
+    let told = [&s::A_T, &s::V_H].map(|symbol| symbol.id).into_iter();
+    let own = MOVING.into_iter().filter(|key| v.has(key));
+    if let (false, Some(key)) = (moves, own.chain(told.filter(|key| v.course(key).is_some())).next()) {
+        let what = match v.course(key) {
+            Some(_) => format!("`{key}` over time of a trolley whose place is set"),
+            None => format!("`{key}` of a trolley whose place is set"),
+        };
+        found.push(v.refuse(key, what, "not used", "set fidelity = \"swing\", or remove it"));
+    }
+    let wheels = v.of(&s::N_W).unwrap_or_default();
+    let own = v.table("driven").into_iter().map(|table| (table, &s::N_DR));
+    for (table, symbol) in own
+        .chain(v.table("tow").map(|table| (table, &s::Z_R)))
+        .chain([(v, &s::N_W)])
+    {
+        let count = table.of(symbol).unwrap_or_default();
+        if count.fract() != 0.0 {
+            let what = format!("{} = {count}", symbol.id);
+            found.push(table.refuse(symbol.id, what, "no whole number", "give a whole number"));
+        } else if symbol == &s::N_DR && count > wheels {
+            let what = format!("{count} driven wheels of {wheels}");
+            let help = "drive at most as many as n_w, or give more wheels";
+            found.push(table.refuse(symbol.id, what, "more than there are", help));
+        }
+    }
+    for (symbol, beyond) in [(&s::X_1, range.to), (&s::X_2, range.from)] {
+        let Some((table, at)) = v.table("tow").and_then(|tow| Some((tow, tow.of(symbol)?))) else {
+            continue;
+        };
+        if (at - beyond) * if symbol == &s::X_1 { 1.0 } else { -1.0 } <= 0.0 {
+            let what = format!("{} = {}", symbol.id, symbol.written(at));
+            let help = format!(
+                "the trolley goes to {}: put the sheave beyond that",
+                s::X_T.written(beyond)
+            );
+            found.push(table.refuse(symbol.id, what, "within the working range", help));
+        }
+    }
+}
+
+impl Described for BridgeScene {
+    type Component = ContainerBridge;
+    const ID: &'static str = "bridge";
+    const TABLE: &'static str = "trolley";
+    const OUTLINE: &'static Outline = &OUTLINE;
+    const FOLLOWED: &'static [&'static Symbol] = listed!(s: X_L, S_R, F_DR, P_DR);
+    const VOCABULARY: &'static Vocabulary = &Vocabulary {
+        words: "bridge_symbol",
+        own: &[s::ALL],
+        shared: &[hanging::ALL, gravity::ALL],
+    };
+
+    fn read(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<(BridgeScene, Motion)> {
+        let before = found.len();
+        let moves = v.text("fidelity") == Some("swing");
+        let range = Motion::read(v.table("motion")?, found)?;
+        suits(v, &range, moves, found);
+        let [four, profile] = ["ropes", "profile"].map(|name| v.table(name));
+        let (four, n) = (four?, |symbol: &Symbol| v.number(symbol.id).unwrap_or(0.0));
+        let (ropes, reeved) = (FourRopes::read(four)?, RopesLength::read(four)?);
+        let hanging = Suspended::new(&ropes, &One(&s::G, gravity), &reeved.l);
+        let hanging = hanging.map_err(|fault| {
+            let help = "give longer ropes, or joints of trolley and spreader that are less apart";
+            found.push(four.refuse(s::L_R.id, fault.message, "too short", help));
+        });
+        let longest = LONGEST * hanging.ok()?.period;
+        let dynamics = v.table("dynamics");
+        found.extend(dynamics.and_then(|table| short_step(table, &s::STEP, [SHORTEST * longest, longest])));
+        if found.len() > before {
+            return None;
+        }
+        let phi = n(&s::PHI_R);
+        // What stands is chosen by the greatest that the motion is told.
+        let most = |symbol: &Symbol| v.greatest(symbol.id).unwrap_or(0.0);
+        let given = Given {
+            place: One(&s::X_T, range.from),
+            speed: One(&s::V_T, range.speed),
+            command: TrolleyCommand {
+                a: most(&s::A_T),
+                v_h: most(&s::V_H),
+                q: n(&s::Q),
+            },
+            unit: BridgeTrolley::read(v)?,
+            gravity: One(&s::G, gravity),
+            over: v.part("sheaves", PassedSheaves::read)?,
+            driven: v.part("driven", DrivenWheels::read)?,
+            tow: v.part("tow", TowRope::read)?,
+            ropes,
+            reeved: (!moves).then_some(reeved),
+            profile: TravelProfile::read(profile?)?,
+            swaying: moves.then_some(SwayingLoad {
+                phi,
+                omega: 0.0,
+                l: reeved.l,
+            }),
+            count: SheaveCount(v.table("sheaves").and_then(|table| table.count("count")).unwrap_or(0) as u8),
+        };
+        let start = [v.number(s::X_T.id).unwrap_or(range.from), 0.0, phi, 0.0, reeved.l];
+        let step = dynamics.and_then(|table| table.of(&s::STEP)).unwrap_or(longest);
+        Some((BridgeScene { given, start, step }, range))
+    }
+
+    fn given(this: &Description<BridgeScene>) -> Given<f64> {
+        this.given.clone()
+    }
+
+    fn levels(&self) -> Vec<&'static str> {
+        std::iter::once("static")
+            .chain(self.given.swaying.map(|_| "swing"))
+            .collect()
+    }
+
+    fn set_level(&mut self, level: &str) {
+        if level == "static" {
+            let swaying = self.given.swaying.take();
+            self.given.reeved = self.given.reeved.or(swaying.map(|load| RopesLength { l: load.l }));
+        }
+    }
+
+    fn unused(&self, level: &str) -> Vec<(&'static str, &'static [&'static str])> {
+        match level {
+            "static" => vec![("trolley", &MOVING), ("dynamics", &[])],
+            _ => Vec::new(),
+        }
+    }
+
+    fn moving(this: &Description<BridgeScene>) -> Option<Result<MovingComponent, Fault>> {
+        this.given.swaying?;
+        Some(MovingComponent::new(this.standing(), |model| {
+            Ok(Box::new(SmoothPieces::new(model, &this.start, this.step)?))
+        }))
+    }
+
+    fn solver(&self) -> Option<Solver> {
+        self.given.swaying.map(|_| Solver {
+            step: ("dynamics", &s::STEP),
+            tolerance: ("dynamics", &s::STEP),
+            longest: self.step,
+            explicit: true,
+            cost: COST,
+        })
+    }
+
+    /// The frequency against that of the four-bar, and what starts leave against their steps one by one.
+    fn identities(this: &Description<BridgeScene>, _: &mut Standing) -> Vec<Check> {
+        let four_bar =
+            four_bar(&this.given).map(|value| Check::at_most("bridge_frequency", &s::AGREEMENT, value, 1e-9));
+        let steps = steps_apart(&this.given).map(|value| Check::at_most("bridge_steps", &s::AGREEMENT, value, 1e-9));
+        four_bar.into_iter().chain(steps).collect()
+    }
+
+    fn assumptions(this: &Description<BridgeScene>) -> Vec<&'static str> {
+        let level = this
+            .given
+            .swaying
+            .map_or("bridge_level_static", |_| "bridge_level_swing");
+        let rope = this.given.tow.map(|_| "bridge_tow");
+        let all = [Some(level), rope, Some("bridge_ropes"), Some("bridge_small")];
+        all.into_iter().flatten().collect()
+    }
+
+    fn uncovered(_: &Description<BridgeScene>) -> Vec<&'static str> {
+        vec!["bridge_rest", "strength", "load_cases"]
+    }
+
+    /// The sway at the start stands where the scene does not give it.
+    fn arrange(&self, inputs: &mut Vec<Input>) {
+        let Some(load) = &self.given.swaying else { return };
+        load.map(&mut |symbol, value| {
+            if inputs.iter().all(|input| input.symbol != symbol) {
+                inputs.push(Input {
+                    symbol,
+                    value,
+                    number: None,
+                    chapter: "hook",
+                    given: None,
+                    usual: true,
+                });
+            }
+        });
+    }
+
+    /// On one rope as long as the simple pendulum, where that is the ropes' own length.
+    fn hangs_on(this: &Description<BridgeScene>) -> Option<[f64; 2]> {
+        let FourRopes { a_o, a_u, b_o, b_u, .. } = this.given.ropes;
+        let load = this.given.swaying.filter(|_| a_o == a_u && b_o == b_u)?;
+        Some([load.l, *this.given.gravity])
+    }
+
+    fn hang(&mut self, length: f64) {
+        self.start[4] = length;
+        if let Some(load) = &mut self.given.swaying {
+            load.l = length;
+        }
+    }
+
+    /// From the side, the sea on the left: rails, beam, trolley with its load on the ropes.
+    fn drawing(this: &Description<BridgeScene>, told: f64) -> Drawing {
+        let Given { ropes, unit, tow, .. } = &this.given;
+        let hanging = this.height();
+        let at = |x: f64, y: f64| Point::new(-x, y);
+        let ends = tow.map_or([this.motion.to, this.motion.from], |tow| [tow.x_1, tow.x_2]);
+        let size = hanging.max(unit.s_b);
+        let mut draw = Draw::default();
+        draw.line(at(ends[0].max(0.0), 0.0), at(ends[1].min(-unit.s_b), 0.0));
+        for (x, rail) in [(0.0, &s::R_1), (-unit.s_b, &s::R_2)] {
+            draw.line(at(x, 0.0), at(x, -1.3 * hanging));
+            draw.pin(at(x, -1.3 * hanging), true, false);
+            draw.label(at(x - 0.04 * size, -1.2 * hanging), rail.print);
+        }
+        if tow.is_some() {
+            draw.bar(&[at(ends[0], 0.03 * size), at(ends[1], 0.03 * size)], false);
+            ends.iter().for_each(|x| draw.pin(at(*x, 0.03 * size), true, false));
+            draw.label(at(told.midpoint(ends[0]), 0.07 * size), s::T_1.print);
+            draw.label(at(told.midpoint(ends[1]), 0.07 * size), s::T_2.print);
+        }
+        for (x, faint) in [(this.motion.from, true), (this.motion.to, true), (told, false)] {
+            let corner = |half: f64, y: f64| at(x + half, y);
+            let (a, b, low) = (ropes.a_o, ropes.a_u, -hanging);
+            draw.body(
+                &[
+                    corner(-a, 0.0),
+                    corner(a, 0.0),
+                    corner(a, 0.05 * size),
+                    corner(-a, 0.05 * size),
+                ],
+                faint,
+            );
+            for side in [-1.0, 1.0] {
+                draw.bar(&[corner(side * a, 0.0), corner(side * b, low)], faint);
+            }
+            let deep = low - 2.0 * ropes.e_q.max(0.05 * size);
+            draw.body(
+                &[corner(-b, low), corner(b, low), corner(b, deep), corner(-b, deep)],
+                faint,
+            );
+        }
+        draw.load(at(told, -hanging - ropes.e_q), &s::W);
+        draw.distance(
+            at(told + ropes.a_o, 0.0),
+            at(told + ropes.a_o, -hanging),
+            0.05 * size,
+            &s::H_R,
+        );
+        draw.arrow(at(told, 0.14 * size), at(told + 0.12 * size, 0.14 * size));
+        draw.label(at(told + 0.06 * size, 0.18 * size), s::V_T.print);
+        draw.done(size)
+    }
+
+    /// Starts in closed form and in runs, and what they leave on other lengths of the ropes.
+    fn more(this: &Description<BridgeScene>, _: &mut Standing, sheet: &mut Sheet) {
+        let place = sheet
+            .constants
+            .iter()
+            .position(|section| section.id == "bridge_profiles");
+        let after = place.map_or(sheet.constants.len(), |place| place + 1);
+        if let Some(section) = place.and_then(|place| sheet.constants.get_mut(place)) {
+            let mut resting = this.clone();
+            resting.own.rest();
+            section.table = compared(&resting, &this.given);
+        }
+        let own = lengths(&this.given);
+        sheet.constants.splice(after..after, own);
+    }
+}
+
+impl BridgeScene {
+    /// At rest at the start.
+    fn rest(&mut self) {
+        self.start[2] = 0.0;
+        self.given.command.v_h = 0.0;
+    }
+
+    /// Height of the trolley's rope joints above the spreader's, in m.
+    fn height(&self) -> f64 {
+        let Given {
+            ropes,
+            gravity,
+            reeved,
+            swaying,
+            ..
+        } = &self.given;
+        let found = Suspended::new(ropes, gravity, &length(reeved, swaying));
+        found.map_or(0.0, |hanging| hanging.height)
+    }
+}

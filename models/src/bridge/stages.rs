@@ -1,0 +1,64 @@
+//! The trolley of a container bridge as a component: what it is given, in which stages its equations follow from each other,
+//! how it moves.
+
+use crate::bridge::given::{BridgeTrolley, DrivenWheels, PassedSheaves, SheaveCount, TrolleyCommand};
+use crate::bridge::profiles::{CycleTime, Profiles, TravelProfile};
+use crate::bridge::suspension::{FourRopes, RopesLength, Skew, Suspended};
+use crate::bridge::swing::{DriveInMotion, SwayingLoad, Swung, length};
+use crate::bridge::symbols as s;
+use crate::bridge::tow::{TowRope, TowRun};
+use crate::bridge::trolley::{BridgePowers, Grip, RailLoads, TravelForces, carried, sheaves};
+use crate::component::part::{Component, Port, ports};
+use crate::component::stages::{Found, stages};
+use crate::kernel::group::One;
+use crate::kernel::symbol::{Symbol, listed};
+
+stages! {
+    /// The trolley of a container bridge.
+    ContainerBridge over C from {
+        Coordinate place: One<C>,
+        Rate speed: One<C>,
+        Input command: TrolleyCommand<C>,
+        Parameter unit: BridgeTrolley<C>,
+        Parameter gravity: One<C>,
+        Parameter over: Option<PassedSheaves<C>>,
+        Parameter driven: Option<DrivenWheels<C>>,
+        Parameter tow: Option<TowRope<C>>,
+        Parameter ropes: FourRopes<C>,
+        Parameter reeved: Option<RopesLength<C>>,
+        Parameter profile: TravelProfile<C>,
+        State swaying: Option<SwayingLoad<C>>,
+        Fixed count: SheaveCount,
+    } find {
+        length: C = length(reeved, swaying) => _;
+        hanging: Suspended<C> = Suspended::new(ropes, gravity, length);
+        skew: Skew<C> = Skew::new(ropes, gravity, command, length, hanging);
+        cycle: CycleTime<C> = CycleTime::new(profile);
+        profiles: Profiles<C> = Profiles::new(profile, gravity, hanging);
+        weight: C = carried(unit, command) => W;
+        rails: RailLoads<C> = RailLoads::new(unit, place, weight);
+        swung: Swung<C> = Swung::new(swaying[!], command, gravity, place, speed, weight, ropes, hanging);
+        passed: C = sheaves(over[!], count, weight) => F_S;
+        forces: TravelForces<C> = TravelForces::new(unit, gravity, command, speed, weight, passed[?]);
+        led: DriveInMotion<C> = DriveInMotion::new(unit, gravity, command, speed, forces, swung);
+        powers: BridgePowers<C> = BridgePowers::new(unit, command, speed, weight, forces);
+        grip: Grip<C> = Grip::new(driven[!], unit, gravity, weight, forces);
+        towed: TowRun<C> = TowRun::new(tow[!], place, forces);
+    }
+}
+
+impl Component for ContainerBridge {
+    const STATES: [&'static [&'static Symbol]; 2] = [
+        listed!(s: X_T, V_T),
+        listed!(s: D_X_T, D_V_T, D_PHI_R, D_OMEGA_R, D_L_R),
+    ];
+
+    const PORTS: &'static [Port] = ports! { s:
+        trolley "Trolley on the beam.": s X_T, v V_T, f F_R;
+        load "Load on its ropes.": v V_H, f W;
+    };
+
+    fn update(known: &mut Known<f64>) -> Found<()> {
+        known.hanging().map(|_| ())
+    }
+}
