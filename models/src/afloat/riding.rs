@@ -142,14 +142,14 @@ results! { WaterForces as w => {
     F_Z: w.all[0];
     M_X: w.all[1];
     M_Y: w.all[2];
-    D_KX: w.unbalanced[0];
-    D_KY: w.unbalanced[1];
-    D_KZ: w.unbalanced[2];
+    P_X: w.unbalanced[0];
+    P_Y: w.unbalanced[1];
+    P_Z: w.unbalanced[2];
 } }
 
 impl<C: Calc> WaterForces<C> {
-    /// F = ρ g ∇ − W_0 − d_z v; D = K − M_0 − (ρ g ∇ − W_0) r_G; M_x = −cos θ (cos φ D_y + sin φ D_z) − d_x ω_x,
-    /// M_y = −cos θ D_x + sin θ (sin φ D_y − cos φ D_z) − d_y ω_y.
+    /// F = ρ g ∇ − W_0 − d_z v; P = K − M_0 − (ρ g ∇ − W_0) r_G; M_x = −cos θ (cos φ P_y + sin φ P_z) − d_x ω_x,
+    /// M_y = −cos θ P_x + sin θ (sin φ P_y − cos φ P_z) − d_y ω_y.
     pub fn new(
         motion: &HullMotion<C>,
         buoyed: &BuoyedMass<C>,
@@ -164,7 +164,7 @@ impl<C: Calc> WaterForces<C> {
         let force = (lift - buoyed.d_z * motion.v_g).def(&s::F_Z);
         let (own, names) = (
             [dead.all.along, dead.all.across, dead.all.up],
-            listed!(s: D_KX, D_KY, D_KZ),
+            listed!(s: P_X, P_Y, P_Z),
         );
         let unbalanced = [0, 1, 2].map(|i| (moments[i] - own[i] - lift * riding.centre[i]).def(names[i]));
         let ([x, y, z], (sin, cos), (steep, level)) = (unbalanced, riding.roll, riding.pitch);

@@ -6,7 +6,7 @@ use crate::afloat::loss::LossRule;
 use crate::afloat::outline::{LEVERS, OUTLINE};
 use crate::afloat::shape;
 use crate::afloat::stages::{FloatingCrane, Given, MadeInputs};
-use crate::afloat::start::{self, DYNAMICS, InMotion, MOVING};
+use crate::afloat::start::{self, DYNAMICS, MOVING, MovingHull};
 use crate::afloat::symbols as s;
 use crate::afloat::weights::{CranePlace, HullMass, HullWind, TankGiven, Weighed, WindageArea};
 use crate::component::description::{Described, Description, Vocabulary};
@@ -41,7 +41,7 @@ const MOST_POINTS: usize = 100;
 /// Keys of `[hull]`.
 pub const KEYS: &[Key] = keys! { s:
     RHO_W > 0 [usually(1025.0)], L > 0 [optional], B > 0 [optional], D > 0 [optional], R [or_input], Q >= 0 [or_mass, or_input, over_time],
-    PHI_F > 0 [optional], L_R > 0 [optional], OMEGA_C [over_time, optional], PSI_SL [optional];
+    PHI_F > 0 [optional], L_R > 0 [optional], OMEGA_CSL [over_time, optional], PSI_SL [optional];
     Key::choice(
         "fidelity",
         &["static", "swing"],
@@ -236,7 +236,7 @@ impl Described for AfloatScene {
             inputs: MadeInputs(inputs.into_iter().flatten().collect()),
         };
         let ratio = v.table("loss").is_some_and(|loss| loss.text("kind") == Some("ratio"));
-        let moves = InMotion::read(v, range.from);
+        let moves = MovingHull::read(v, range.from);
         let step = moves.and_then(|moves| moves.begin(v, &mut given, found));
         (found.len() == before).then_some((AfloatScene { given, ratio, step }, range))
     }

@@ -64,7 +64,7 @@ pub fn suits(v: &Values, found: &mut Vec<Diagnostic>) {
 }
 
 /// What moves, all of it or nothing.
-pub struct InMotion {
+pub struct MovingHull {
     pub buoyed: BuoyedMass<f64>,
     pub servo: SlewingServo<f64>,
     pub command: SlewingCommand<f64>,
@@ -73,16 +73,16 @@ pub struct InMotion {
     pub psi: f64,
 }
 
-impl InMotion {
+impl MovingHull {
     /// Of a scene whose hull moves, from the start of its working range where nothing else is given.
-    pub fn read(v: &Values, from: f64) -> Option<InMotion> {
+    pub fn read(v: &Values, from: f64) -> Option<MovingHull> {
         let dynamics = v.table("dynamics").filter(|_| v.text("fidelity") == Some("swing"))?;
         let n = |symbol: &Symbol, usual| v.number(symbol.id).unwrap_or(usual);
-        Some(InMotion {
+        Some(MovingHull {
             buoyed: BuoyedMass::read(dynamics)?,
             servo: SlewingServo::read(dynamics)?,
             command: SlewingCommand {
-                omega_c: n(&s::OMEGA_C, 0.0),
+                omega_c: n(&s::OMEGA_CSL, 0.0),
             },
             roped: hanging(v.of(&s::L_R)?),
             psi: n(&s::PSI_SL, from),

@@ -29,7 +29,7 @@ quantities! {
 
 quantities! {
     /// What slewing is commanded.
-    SlewingCommand { omega_c: OMEGA_C }
+    SlewingCommand { omega_c: OMEGA_CSL }
 }
 
 /// How hull and load accelerate (m/s², rad/s²), the rope's force (N), and where the load is from the head.
@@ -44,8 +44,8 @@ pub struct Swaying<C> {
 }
 results! { Swaying as w => {
     S_R: w.rope;
-    PHI_ROPE: C::direction(-w.place.x, -w.place.z) - C::constant(std::f64::consts::FRAC_PI_2);
-    CHI_ROPE: C::direction((w.place.x.square() + w.place.z.square()).sqrt(), w.place.y);
+    CHI_X: C::direction(-w.place.x, -w.place.z) - C::constant(std::f64::consts::FRAC_PI_2);
+    CHI_Y: C::direction((w.place.x.square() + w.place.z.square()).sqrt(), w.place.y);
 } }
 
 /// Where the rope points, how long it is (m), and how fast the load goes across it (m/s).

@@ -125,7 +125,7 @@ symbols! {
     K_C: "K_c" "K_c" ONE / ONE [infinite("without a sudden wind")], "Moment that capsizes over that of the sudden wind.", "[Ports001, 7.3]";
 
     // Given of the motion.
-    OMEGA_C: "omega_csl" "omega_(c \"sl\")" RAD_PER_S / DEG_PER_S, "Commanded angular velocity of slewing.", "input";
+    OMEGA_CSL: "omega_csl" "omega_(c \"sl\")" RAD_PER_S / DEG_PER_S, "Commanded angular velocity of slewing.", "input";
     T_SL: "T_sl" "T_\"sl\"" S / S [positive], "Time constant with which slewing follows its command.", "input";
     M_A: "m_a" "m_a" KG / T [not_negative], "Mass of water that goes up and down with the hull.", "input";
     J_X: "J_x" "J_x" KG_M2 / T_M2 [positive], "Inertia of all but the load about an axis along the hull through their centre of gravity, with the water that rolls too.", "input";
@@ -164,9 +164,9 @@ symbols! {
 
     // What moves it.
     F_Z: "F_z" "F_z" N / KN, "Force of water and weights that lifts the hull, without the rope's.", "virtual work";
-    D_KX: "D_x" "D_x" N_M / KN_M, "Moment of water less weights for a point of support at the centre of gravity, along the hull.", "virtual work";
-    D_KY: "D_y" "D_y" N_M / KN_M, "Moment of water less weights for a point of support at the centre of gravity, across the hull.", "virtual work";
-    D_KZ: "D_z" "D_z" N_M / KN_M, "Moment of water less weights for a point of support at the centre of gravity, up the hull.", "virtual work";
+    P_X: "P_x" "P_x" N_M / KN_M, "Moment of water less weights for a point of support at the centre of gravity, along the hull.", "virtual work";
+    P_Y: "P_y" "P_y" N_M / KN_M, "Moment of water less weights for a point of support at the centre of gravity, across the hull.", "virtual work";
+    P_Z: "P_z" "P_z" N_M / KN_M, "Moment of water less weights for a point of support at the centre of gravity, up the hull.", "virtual work";
     M_X: "M_x" "M_x" N_M / KN_M, "Moment that rolls the hull, without the rope's; positive lowers the left side.", "virtual work";
     M_Y: "M_y" "M_y" N_M / KN_M, "Moment that pitches the hull, without the rope's; positive lowers the bow.", "virtual work";
     S_X: "s_x" "s_x" M / M, "Head, horizontally forward of the hull's centre of gravity.", "derived";
@@ -189,8 +189,8 @@ symbols! {
     M_0: "m_0" "m_0" KG / T, "Mass that heaves, with the water that goes with it.", "derived";
     A_N: "a_N" "a_N" M_PER_S2 / M_PER_S2, "Acceleration along the rope that its force must take from the load.", "Lagrange";
     A_R: "a_R" "a_R" M_PER_S2 / M_PER_S2, "Force of the rope over the mass of the load.", "Lagrange";
-    PHI_ROPE: "phi_R" "phi_R" RAD / DEG, "Angle of the rope from the vertical along the hull; positive swings the load forward.", "derived";
-    CHI_ROPE: "chi_R" "chi_R" RAD / DEG, "Angle of the rope from that plane; positive swings the load to the left.", "derived";
+    CHI_X: "chi_x" "chi_x" RAD / DEG, "Angle of the rope from the vertical along the hull; positive swings the load forward.", "derived";
+    CHI_Y: "chi_y" "chi_y" RAD / DEG, "Angle of the rope from that plane; positive swings the load to the left.", "derived";
 
     // Rates of the states.
     D_PSI_SL: "der(psi_sl)" "dot(psi)_\"sl\"" RAD_PER_S / RAD_PER_S, "Rate of the slewing angle.", "state";
