@@ -89,7 +89,8 @@ fn motion(n: &mut Node, load: f64, [mass, long, broad]: [f64; 3]) {
     let mut dynamics = n.child("dynamics").expect("kept");
     dynamics.keep("step", false);
     let lag = natural * dynamics.draw.between(0.3, 2.0);
-    let about = |across: f64| 0.1 * mass * across * across;
+    // As much as the schema takes.
+    let about = |across: f64| (0.1 * mass * across * across).clamp(1e-8, 1e17);
     for (name, value) in [
         ("m_a", mass),
         ("J_x", about(broad)),

@@ -328,6 +328,7 @@ impl Described for AfloatScene {
         };
         let area: f64 = lever.iter().enumerate().map(|(i, [_, y])| weight(i) * y).sum::<f64>() * step / 3.0;
         let mut known = FloatingCrane::new(this.given.clone());
+        known.psi().1 = this.motion.from;
         let rise = known.loaded().ok().map(|loaded| Weighed {
             across: 0.0,
             ..loaded.all

@@ -148,13 +148,10 @@ fn check_value(
                 None
             }
         },
-        (Kind::Quantity(..) | Kind::Weight(..), DeValue::Table(table))
-            if !key.between.is_empty() && table.contains_key(OVER) =>
-        {
-            over_time(source, table, value.span(), path, key, found)
-        }
         (Kind::Quantity(..) | Kind::Weight(..), DeValue::Table(table)) => {
-            noted(source, table, value.span(), path, key, found)
+            let told = !key.between.is_empty() && table.contains_key(OVER);
+            let read = if told { over_time } else { noted };
+            read(source, table, value.span(), path, key, found)
         }
         (Kind::Texts(most) | Kind::Tables(_, most), DeValue::Array(items)) if items.len() > *most => {
             let message = format!("`{path}` has {} entries", items.len());
