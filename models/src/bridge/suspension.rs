@@ -63,7 +63,7 @@ results! { Suspended as h => {
 } }
 
 impl<C: Calc> Suspended<C> {
-    /// l_e = h D/E with D = (1 − e_Q κ)² + i_Q² κ², E = 1 + (a_o a_u + e_Q h) κ²; ω_e = √(g/l_e), ω_g = √(g/l_R). [Lagrange]
+    /// l_e = h D/E with D = (1 − e_Q κ)² + i_Q² κ², E = 1 + (a_o a_u + e_Q h) κ²; ω_e = √(g/l_e), ω_g = √(g/l_R). (Lagrange)
     ///
     /// # Errors
     /// Ropes that are too short.

@@ -44,7 +44,7 @@ results! { Swung as w => {
 } }
 
 impl<C: Calc> Swung<C> {
-    /// l φ̈ + 2 l̇ φ̇ + g sin φ = −ν_x a cos φ with the simple pendulum's length l_e; S = W(g cos φ + l φ̇² − a sin φ)/g. [Lagrange]
+    /// l φ̈ + 2 l̇ φ̇ + g sin φ = −ν_x a cos φ with the simple pendulum's length l_e; S = W(g cos φ + l φ̇² − a sin φ)/g. (Lagrange)
     #[expect(clippy::too_many_arguments, reason = "all that moves it")]
     pub fn new(
         load: &SwayingLoad<C>,

@@ -98,7 +98,7 @@ pub struct RailLoads<C> {
 results! { RailLoads as r => { N_R: r.wheel; R_1: r.sides[0]; R_2: r.sides[1]; } }
 
 impl<C: Calc> RailLoads<C> {
-    /// N = (G_t + W)/n, R_1 = (G_t + W)(1 + x/s), R_2 = −(G_t + W) x/s. [equilibrium]
+    /// N = (G_t + W)/n, R_1 = (G_t + W)(1 + x/s), R_2 = −(G_t + W) x/s. (equilibrium)
     pub fn new(unit: &BridgeTrolley<C>, place: &One<C>, weight: &C) -> RailLoads<C> {
         let borne = unit.g_t + *weight;
         let part = **place / unit.s_b;
@@ -122,7 +122,7 @@ pub struct Grip<C> {
 results! { Grip as g => { F_AD: g.force; K_AD: g.safety; A_AD: g.most; } }
 
 impl<C: Calc> Grip<C> {
-    /// F_ad = μ_a n_dr/n (G_t + W) cos γ, k_ad = F_ad/|F_r|, a_ad = g (F_ad − F_μ − F_w − F_s)/(G_t + W) on a level beam. [Coulomb]
+    /// F_ad = μ_a n_dr/n (G_t + W) cos γ, k_ad = F_ad/|F_r|, a_ad = g (F_ad − F_μ − F_w − F_s)/(G_t + W) on a level beam. (Coulomb)
     pub fn new(
         driven: &DrivenWheels<C>,
         unit: &BridgeTrolley<C>,

@@ -165,11 +165,6 @@ impl Trade {
                     .collect(),
             }
         });
-        let refused = traded.refused.iter().map(|(refused, _)| Refused {
-            level: refused.level,
-            solver: solver(refused),
-            setting: setting(numbers, names, refused),
-        });
         let axes = ["e", "c thin \"/\" thin \"µs/s\""];
         Ok(Trade {
             command: traded.command.and_then(|id| {
@@ -185,11 +180,21 @@ impl Trade {
             results: results.collect(),
             choice: traded.rows.iter().position(|row| row.holds == Some(true)),
             rows: rows.collect(),
-            refused: refused.collect(),
+            refused: refused(numbers, names, &traded),
             whole: traded.whole,
             parts: left_out(numbers, names, &traded, &digits),
         })
     }
+}
+
+/// Settings that the solver refuses.
+fn refused(numbers: &Numbers, names: Option<[&'static Symbol; 2]>, traded: &Traded) -> Vec<Refused> {
+    let of = |refused: &Setting| Refused {
+        level: refused.level,
+        solver: solver(refused),
+        setting: setting(numbers, names, refused),
+    };
+    traded.refused.iter().map(|(setting, _)| of(setting)).collect()
 }
 
 /// The scene without each of its parts.

@@ -52,7 +52,7 @@ pub struct TrunkBend<C> {
 }
 
 impl<C: Calc> TrunkBend<C> {
-    /// The loop twice differentiated, along the free tie, which turns by ψ′_t: i′_2 h_t = b_e + i_2² t_e + f ψ′_t². [derived]
+    /// The loop twice differentiated, along the free tie, which turns by ψ′_t: i′_2 h_t = b_e + i_2² t_e + f ψ′_t². (derived)
     pub fn new(contact: &Contact<C>, position: &TrunkPosition<C>, travel: &TrunkTravel<C>) -> TrunkBend<C> {
         let (i_2, e) = (travel.i_2, position.tie);
         let b_e = plane::dot(position.b, e).def(&s::B_E);
