@@ -2,11 +2,12 @@
 is found and solved here: the closure by bisection over the point of contact, everything else by differentiating places."""
 
 import math
+import subprocess
+import sys
 
 import numpy as np
 import pytest
 from fmpy import read_model_description, simulate_fmu
-from fmpy.fmi1 import FMICallException
 from fmpy.validation import validate_fmu
 from numpy.polynomial import Chebyshev
 
@@ -216,13 +217,17 @@ def test_work_is_energy(fmus):
 @pytest.mark.parametrize("kind", ["CoSimulation", "ModelExchange"])
 @pytest.mark.parametrize("standard", ENDS)
 def test_a_tie_that_would_have_to_push_ends_the_run(fmus, standard, kind):
-    """By the drive that jerks the boom, with a message."""
+    """By the drive that jerks the boom, with a message. In a process of its own: FMPy keeps the pointer to a logger that it was
+    given for FMUs that come later in the same process, when the logger is gone."""
     _, paths = fmus
-    told = []
-    with pytest.raises(FMICallException):
-        simulate_fmu(paths[standard], fmi_type=kind, stop_time=2.0, start_values={"M_A": SLACKENS},
-                     logger=lambda *line: told.append(str(line[-1])), debug_logging=True)
-    assert any("the tie is slack" in line for line in told), told[-3:]
+    run = (
+        "import sys\nfrom fmpy import simulate_fmu\n"
+        "simulate_fmu(sys.argv[1], fmi_type=sys.argv[2], stop_time=2.0, start_values={'M_A': float(sys.argv[3])},\n"
+        "             logger=lambda *line: print(line[-1]), debug_logging=True)"
+    )
+    done = subprocess.run([sys.executable, "-c", run, paths[standard], kind, str(SLACKENS)], capture_output=True, text=True)
+    assert done.returncode != 0 and "FMICallException" in done.stderr, done.stderr
+    assert "the tie is slack" in done.stdout, done.stdout
 
 
 # A moment that raises the boom faster than the trunk falls.
