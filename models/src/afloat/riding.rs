@@ -114,7 +114,7 @@ impl Finding<1> for Clearing {
 /// Least freeboard of the deck's edge, in m.
 ///
 /// # Errors
-/// None.
+/// As [`found`]; a cut always is.
 pub fn clearing<C: Scalar>(on: &Floating<C>, riding: &RidingHull<C>) -> Result<C, Fault> {
     Ok(found::<Clearing, C, 1>(&(on.clone(), riding.plane))?[0])
 }
@@ -126,7 +126,7 @@ results! { WettedHull as w => { NABLA_M: w.0[0]; K_X: w.0[1]; K_Y: w.0[2]; K_Z: 
 
 impl<C: Scalar> WettedHull<C> {
     /// # Errors
-    /// None.
+    /// As [`found`]; a cut always is.
     pub fn new(on: &Floating<C>, riding: &RidingHull<C>) -> Result<WettedHull<C>, Fault> {
         found::<Wetting, C, 4>(&(on.clone(), riding.plane)).map(WettedHull)
     }

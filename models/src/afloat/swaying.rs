@@ -104,9 +104,11 @@ impl<C: Calc> Swaying<C> {
         let pull = (need.def(&s::A_N) / give.def(&s::KAPPA_R)).def(&s::A_R);
         // What is left of a lost load pushes nothing.
         if pull.value() < 0.0 && mass.value() > 0.0 {
-            return Err(Fault::outside(
-                "the rope would push the load: it goes slack, which this level has not; slew less hard, or give a longer rope",
-            ));
+            return Err(Fault::outside(format!(
+                "S_R = {}: the rope would push the load, it goes slack, which this level has not; slew less hard, or give a longer \
+                 rope",
+                s::S_R.written((mass * pull).value())
+            )));
         }
         let force = (mass * pull).def(&s::S_R);
         let names: &[&'static Symbol; 3] = listed!(s: D_V_G, D_OMEGA_X, D_OMEGA_Y);

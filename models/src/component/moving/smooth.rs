@@ -1,6 +1,6 @@
 //! A motion in smooth pieces, each ended by an event at which the component decides what follows.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 
 use crate::component::moving::{Carrier, Ramp, results, states};
 use crate::component::part::Part;
@@ -39,6 +39,8 @@ struct Equations<'a> {
     part: RefCell<&'a mut dyn Part>,
     own: &'a SmoothPieces,
     ramps: &'a [Ramp],
+    /// What the component said last of a configuration that does not exist.
+    said: Cell<Option<Box<Fault>>>,
 }
 
 impl Equations<'_> {
@@ -60,8 +62,13 @@ impl Equations<'_> {
         for ramp in self.ramps {
             part.put(ramp.source, ramp.value + ramp.slope * time);
         }
-        part.update().ok()?;
-        of(&mut **part)
+        match part.update() {
+            Ok(()) => of(&mut **part),
+            Err(fault) => {
+                self.said.set(Some(fault));
+                None
+            }
+        }
     }
 }
 
@@ -155,7 +162,7 @@ impl SmoothPieces {
         instant
     }
 
-    fn refusal(&self, model: &Standing, halt: Halt, size: f64) -> Fault {
+    fn refusal(&self, model: &Standing, halt: Halt, size: f64, said: Option<Box<Fault>>) -> Fault {
         let coordinate = model.coordinate_index();
         let at = model.part().take(model.coordinate());
         let symbol = model.variables()[coordinate].symbol;
@@ -164,16 +171,17 @@ impl SmoothPieces {
             short(size),
             short(self.longest),
         );
-        Fault::outside(match halt {
-            Halt::Outside => format!(
+        Fault::outside(match (halt, said) {
+            (Halt::Outside, Some(fault)) => format!("the motion from {from} ends within {size} s: {}", fault.message),
+            (Halt::Outside, None) => format!(
                 "the motion from {from} ends within {size} s beyond all reasonable numbers: command less, or limit it"
             ),
-            Halt::TooFast => format!(
+            (Halt::TooFast, _) => format!(
                 "inner steps of {step} s are too long for the motion from {from}, which changes by more than itself \
                  within one: set step below {} s, or make the friction less",
                 short(self.longest / 2.0)
             ),
-            Halt::TooSmall | Halt::TooMany => format!(
+            (Halt::TooSmall | Halt::TooMany, _) => format!(
                 "the step of {size} s from {from} needs more than the {MOST_STEPS} inner steps that are allowed, at \
                  step = {step} s: take smaller communication steps, or a longer step"
             ),
@@ -203,6 +211,7 @@ impl Carrier for SmoothPieces {
             part: RefCell::new(model.part_mut()),
             own: self,
             ramps,
+            said: Cell::default(),
         };
         let solved = pieces::advance(&equations, &mut state, to - from, self.longest);
         let (end, time) = if solved.is_ok() {
@@ -212,7 +221,8 @@ impl Carrier for SmoothPieces {
         };
         // Where it was, it can be again.
         let _ = equations.with(time, end, &end.y, |_| Some(()));
-        let count = solved.map_err(|halt| self.refusal(model, halt, to - from))?;
+        let said = equations.said.take();
+        let count = solved.map_err(|halt| self.refusal(model, halt, to - from, said))?;
         self.count = self.count.and(count);
         model.set_time(to);
         Ok(())

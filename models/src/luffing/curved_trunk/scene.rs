@@ -6,9 +6,8 @@ use crate::balance::scene::{BALANCE, PublishedBalance};
 use crate::balance::symbols as b;
 use crate::component::description::{Described, Description, Vocabulary};
 use crate::component::draw::polar;
-use crate::component::mechanism::{Entry, Solver};
+use crate::component::mechanism::Entry;
 use crate::component::moved::Moved;
-use crate::component::moving::MovingComponent;
 use crate::component::outline::{Limit, Outline};
 use crate::component::running::Running;
 use crate::component::sheet::{Check, Drawing, Sheet, Summary};
@@ -23,7 +22,6 @@ use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Kind, SOURCE, Values};
 use crate::kernel::sign::Sign;
 use crate::kernel::symbol::{Symbol, listed};
-use crate::kernel::variable::Fault;
 use crate::luffing::boom_scene::{INTERPOLATION, MOVING_FIDELITY, balance_work, begun, motion, uncovered, vanishing};
 use crate::luffing::counterweight::chapter;
 use crate::luffing::curved_trunk::drawing::drawing;
@@ -39,11 +37,10 @@ use crate::luffing::moving;
 use crate::luffing::moving::control::luffing::CONTROL;
 use crate::luffing::moving::given::Fitted;
 use crate::luffing::moving::hoisting::HOISTING_KEYS;
-use crate::luffing::moving::levels;
+use crate::luffing::moving::levels::{self, boom_levels};
 use crate::luffing::moving::scene::{Inert, Moving, brisk, dynamics, turns};
 use crate::luffing::moving::symbols as m;
 use crate::luffing::moving::told::motion::moved;
-use crate::luffing::moving::told::shown::running;
 use crate::luffing::resistances::scene::{CASES, Cases, left};
 use crate::luffing::resistances::{self, checks, told};
 use crate::luffing::strength;
@@ -281,37 +278,7 @@ impl Described for CurvedTrunk {
         }
     }
 
-    fn hangs_on(this: &Description<Self>) -> Option<[f64; 2]> {
-        this.moving.as_ref()?.swings()
-    }
-
-    fn hang(&mut self, length: f64) {
-        if let Some(rope) = self.moving.as_mut().and_then(|moving| moving.rope.as_mut()) {
-            rope.length = length;
-        }
-    }
-
-    fn levels(&self) -> Vec<&'static str> {
-        levels::levels(self.moving.as_ref())
-    }
-
-    fn set_level(&mut self, level: &str) {
-        if !levels::set_level(&mut self.moving, level) {
-            self.given.inertias = None;
-        }
-    }
-
-    fn unused(&self, level: &str) -> Vec<(&'static str, &'static [&'static str])> {
-        levels::unused(level)
-    }
-
-    fn solver(&self) -> Option<Solver> {
-        levels::solver(self.moving.as_ref())
-    }
-
-    fn moving(this: &Description<CurvedTrunk>) -> Option<Result<MovingComponent, Fault>> {
-        running(this)
-    }
+    boom_levels!(CurvedTrunk with inertias);
 
     fn chapters(&self) -> Vec<&'static str> {
         let moving = self.moving.map(|_| "motion");

@@ -9,7 +9,7 @@ use crate::luffing::curved_trunk::stages::{CurvedTrunkBoom, Given};
 use crate::luffing::moving::carried;
 use crate::luffing::moving::scene::Moving;
 use crate::luffing::moving::symbols as m;
-use crate::luffing::moving::told::shown::{Apart, Drawn, OwnPart, Shown, ShownBar};
+use crate::luffing::moving::told::shown::{Apart, OwnPart, Shown, ShownBar};
 
 /// Quantities of the boom and of its drive.
 mod s {
@@ -46,20 +46,6 @@ impl Shown for CurvedTrunk {
     ];
 
     const ASSEMBLED: &'static [&'static Symbol] = &[&s::J_TQ];
-
-    const STAGES: &'static [&'static str] = &[
-        "moves",
-        "pull",
-        "height",
-        "ground_force",
-        "acting",
-        "countered",
-        "forces",
-    ];
-
-    const DRIVE: Drawn = ("motion_drive", &m::M_A);
-
-    const BODY: Drawn = ("motion_resisting", &m::M_R);
 
     const FORCES: &'static [&'static Symbol] = &[&m::M_R, &s::N_T, &s::Q_T, &s::F_BX, &s::F_BY, &s::F_O1X, &s::F_O1Y];
 

@@ -9,7 +9,7 @@ use crate::luffing::ellipsograph::stages::{EllipsographBoom, Given};
 use crate::luffing::moving::carried;
 use crate::luffing::moving::scene::Moving;
 use crate::luffing::moving::symbols as m;
-use crate::luffing::moving::told::shown::{Apart, Drawn, OwnPart, Shown, ShownBar};
+use crate::luffing::moving::told::shown::{Apart, OwnPart, Shown, ShownBar};
 
 /// Quantities of the boom and of its drive.
 mod s {
@@ -45,20 +45,6 @@ impl Shown for Ellipsograph {
     ];
 
     const ASSEMBLED: &'static [&'static Symbol] = &[&s::J_BQ];
-
-    const STAGES: &'static [&'static str] = &[
-        "moves",
-        "pull",
-        "height",
-        "ground_force",
-        "acting",
-        "countered",
-        "forces",
-    ];
-
-    const DRIVE: Drawn = ("motion_drive", &m::M_A);
-
-    const BODY: Drawn = ("motion_resisting", &m::M_R);
 
     const FORCES: &'static [&'static Symbol] = &[&m::M_R, &s::F_BX, &s::N_L, &s::F_O1X, &s::F_O1Y];
 

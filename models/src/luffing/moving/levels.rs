@@ -71,3 +71,44 @@ pub fn uncovered(mut at_rest: Vec<&'static str>, friction: &'static str, moving:
     at_rest.retain(|id| !covered.contains(id));
     at_rest
 }
+
+/// Levels of the description of a boom whose scene has its motion in `moving`, and the inertias that only the motion asks for
+/// in a field of what it is given: what stands in its `Described`.
+macro_rules! boom_levels {
+    ($scene:ident with $inertias:ident) => {
+        fn hangs_on(this: &Description<Self>) -> Option<[f64; 2]> {
+            this.moving.as_ref()?.swings()
+        }
+
+        fn hang(&mut self, length: f64) {
+            if let Some(rope) = self.moving.as_mut().and_then(|moving| moving.rope.as_mut()) {
+                rope.length = length;
+            }
+        }
+
+        fn levels(&self) -> Vec<&'static str> {
+            $crate::luffing::moving::levels::levels(self.moving.as_ref())
+        }
+
+        fn set_level(&mut self, level: &str) {
+            if !$crate::luffing::moving::levels::set_level(&mut self.moving, level) {
+                self.given.$inertias = None;
+            }
+        }
+
+        fn unused(&self, level: &str) -> Vec<(&'static str, &'static [&'static str])> {
+            $crate::luffing::moving::levels::unused(level)
+        }
+
+        fn solver(&self) -> Option<$crate::component::mechanism::Solver> {
+            $crate::luffing::moving::levels::solver(self.moving.as_ref())
+        }
+
+        fn moving(
+            this: &Description<$scene>,
+        ) -> Option<Result<$crate::component::moving::MovingComponent, $crate::kernel::variable::Fault>> {
+            $crate::luffing::moving::told::shown::running(this)
+        }
+    };
+}
+pub(crate) use boom_levels;

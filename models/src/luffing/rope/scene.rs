@@ -5,9 +5,8 @@ use crate::balance::scene::{BALANCE, PublishedBalance};
 use crate::balance::symbols as b;
 use crate::component::description::{Described, Description, Vocabulary, possible};
 use crate::component::draw::{Draw, along, direction, distance};
-use crate::component::mechanism::{Entry, Solver};
+use crate::component::mechanism::Entry;
 use crate::component::moved::Moved;
-use crate::component::moving::MovingComponent;
 use crate::component::outline::{Limit, Outline};
 use crate::component::sheet::{Check, Drawing, Sheet, Summary};
 use crate::component::standing::Standing;
@@ -20,18 +19,16 @@ use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, SOURCE, Values};
 use crate::kernel::sign::Sign;
 use crate::kernel::symbol::{Symbol, listed};
-use crate::kernel::variable::Fault;
 use crate::luffing::boom_scene::{INTERPOLATION, MOVING_FIDELITY, balance_work, begun, motion, uncovered, vanishing};
 use crate::luffing::counterweight::chapter;
 use crate::luffing::moving;
 use crate::luffing::moving::control::luffing::CONTROL;
 use crate::luffing::moving::given::Fitted;
 use crate::luffing::moving::hoisting::BY_SPEED_KEYS;
-use crate::luffing::moving::levels;
+use crate::luffing::moving::levels::{self, boom_levels};
 use crate::luffing::moving::scene::{Inert, Moving, brisk, dynamics, turns};
 use crate::luffing::moving::symbols as m;
 use crate::luffing::moving::told::motion::moved;
-use crate::luffing::moving::told::shown::running;
 use crate::luffing::resistances::scene::{CASES, Cases, left};
 use crate::luffing::resistances::{self, checks, told};
 use crate::luffing::rope::moving::BoomInertia;
@@ -232,37 +229,7 @@ impl Described for Rope {
         told::check::<RopeBoom>(&this.standing(), &this.cases, v, found);
     }
 
-    fn hangs_on(this: &Description<Self>) -> Option<[f64; 2]> {
-        this.moving.as_ref()?.swings()
-    }
-
-    fn hang(&mut self, length: f64) {
-        if let Some(rope) = self.moving.as_mut().and_then(|moving| moving.rope.as_mut()) {
-            rope.length = length;
-        }
-    }
-
-    fn levels(&self) -> Vec<&'static str> {
-        levels::levels(self.moving.as_ref())
-    }
-
-    fn set_level(&mut self, level: &str) {
-        if !levels::set_level(&mut self.moving, level) {
-            self.given.inertia = None;
-        }
-    }
-
-    fn unused(&self, level: &str) -> Vec<(&'static str, &'static [&'static str])> {
-        levels::unused(level)
-    }
-
-    fn solver(&self) -> Option<Solver> {
-        levels::solver(self.moving.as_ref())
-    }
-
-    fn moving(this: &Description<Rope>) -> Option<Result<MovingComponent, Fault>> {
-        running(this)
-    }
+    boom_levels!(Rope with inertia);
 
     fn chapters(&self) -> Vec<&'static str> {
         let moving = self.moving.map(|_| "motion");

@@ -52,8 +52,6 @@ impl Shown for Rope {
 
     const DRIVE: Drawn = ("rope_dynamic", &s::T_DYN);
 
-    const BODY: Drawn = ("motion_resisting", &m::M_R);
-
     const FORCES: &'static [&'static Symbol] = &[&s::T_DYN, &m::M_R, &s::S_H, &s::F_O1X, &s::F_O1Y, &s::N_B];
 
     const AGREEMENT: &'static Symbol = &s::AGREEMENT;

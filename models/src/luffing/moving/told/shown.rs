@@ -9,6 +9,7 @@ use crate::kernel::variable::Fault;
 use crate::luffing::moving::luffs::Luffs;
 use crate::luffing::moving::scene::Moving;
 use crate::luffing::moving::start::starting;
+use crate::luffing::moving::symbols as m;
 
 /// A quantity that is drawn over time, by the id of its curve.
 pub type Drawn = (&'static str, &'static Symbol);
@@ -42,11 +43,19 @@ pub trait Shown: Described<Component: Luffs> {
     const ASSEMBLED: &'static [&'static Symbol] = &[];
 
     /// Stages that its equations at an instant consist of, of those that the scene has.
-    const STAGES: &'static [&'static str];
+    const STAGES: &'static [&'static str] = &[
+        "moves",
+        "pull",
+        "height",
+        "ground_force",
+        "acting",
+        "countered",
+        "forces",
+    ];
 
     /// What its drive gives, and what is drawn of it where there is no rope; while it hoists beside the rope.
-    const DRIVE: Drawn;
-    const BODY: Drawn;
+    const DRIVE: Drawn = ("motion_drive", &m::M_A);
+    const BODY: Drawn = ("motion_resisting", &m::M_R);
 
     /// Forces of the motion, which other parts are designed for.
     const FORCES: &'static [&'static Symbol];
