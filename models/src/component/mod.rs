@@ -10,6 +10,7 @@ pub mod draw;
 pub mod drawing;
 pub mod extreme;
 pub mod found;
+pub mod fragments;
 pub mod governing;
 pub mod judged;
 mod leaving_out;

@@ -13,6 +13,7 @@
 pub mod checks;
 pub mod crank;
 pub mod drawing;
+pub mod fragments;
 pub mod gear;
 pub mod line;
 pub mod mount;

@@ -1,5 +1,6 @@
 //! What all luffing mechanisms have in common.
 
+pub mod at_rest;
 pub mod balancing;
 pub mod boom_scene;
 pub mod counterweight;

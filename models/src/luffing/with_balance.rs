@@ -45,6 +45,37 @@ pub trait WithBalance: Component {
     fn residual<C: Scalar>(known: &mut Self::Known<C>) -> Found<Residual<C>>;
 }
 
+/// Implements [`WithBalance`] beside the stages of a component, which have the names of its methods: its symbols, and the
+/// stage and the point that its boom's head is.
+macro_rules! with_balance {
+    ($component:ident by [$($symbol:expr),+], head $stage:ident $point:ident) => {
+        impl $crate::luffing::with_balance::WithBalance for $component {
+            const SYMBOLS: [&'static $crate::kernel::symbol::Symbol; 3] = [$($symbol),+];
+
+            fn form(given: &Given<f64>) -> Option<$crate::balance::scene::Form<f64>> {
+                given.balance
+            }
+
+            fn balance(
+                known: &mut Known<f64>,
+            ) -> Found<($crate::luffing::balancing::Balancing<f64>, $crate::balance::analysis::Analysis)> {
+                Ok((*known.balancing()?, known.analysed()?.clone()))
+            }
+
+            fn head(known: &mut Known<f64>) -> Found<$crate::parts::plane::Point<f64>> {
+                Ok(known.$stage()?.$point)
+            }
+
+            fn residual<C: $crate::component::scalar::Scalar>(
+                known: &mut Known<C>,
+            ) -> Found<$crate::balance::residual::Residual<C>> {
+                known.residual().copied()
+            }
+        }
+    };
+}
+pub(crate) use with_balance;
+
 /// Results of the balance over the working range, with their places.
 #[must_use]
 pub fn searched<T: WithBalance>(model: &Standing) -> Vec<Summary> {

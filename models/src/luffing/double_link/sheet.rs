@@ -19,6 +19,7 @@ use crate::kernel::schema::Values;
 use crate::kernel::symbol::Symbol;
 use crate::kernel::text::Text;
 use crate::kernel::variable::Fault;
+use crate::luffing::at_rest::at_rest;
 use crate::luffing::boom_scene::vanishing;
 use crate::luffing::counterweight::chapter;
 use crate::luffing::double_link::balancing::{self, boom};
@@ -37,7 +38,6 @@ use crate::luffing::double_link::statics::{Centres, LoadMoment, Own};
 use crate::luffing::double_link::symbols as s;
 use crate::luffing::double_link::system::ByCentres;
 use crate::luffing::double_link::velocity::Velocity;
-use crate::luffing::moving::given::Fitted;
 use crate::luffing::moving::told::motion::moved;
 use crate::luffing::moving::told::shown::running;
 use crate::luffing::resistances;
@@ -75,7 +75,7 @@ impl Described for LuffingScene {
 
     fn given(this: &Luffing) -> Given<f64> {
         let p = &this.parameters;
-        Given {
+        at_rest! { (this.cases, this.driving) without [inertias, motor, turning, oil, oil_parts];
             theta: One(p.driven.coordinate(), this.motion.from),
             omega: One(p.driven.rate(), this.motion.speed),
             load: this.q.map(|q| One(&s::Q, q)),
@@ -86,43 +86,7 @@ impl Described for LuffingScene {
                 Jib::Axis(x) => One(&s::AC, x),
             },
             weights: p.weights,
-            mount: this.driving.mount,
-            cylinder: this.driving.cylinder,
-            rod: this.driving.rod(),
-            gear: this.driving.gear,
             balance: p.balance,
-            cases: this.cases.cases.clone(),
-            bodies: this.cases.bodies.clone(),
-            rubbing: this.cases.pins.clone(),
-            air: this.cases.air,
-            driver: this.cases.motor,
-            brake: this.cases.brake,
-            second: this.cases.second,
-            holds: this.cases.holds.clone(),
-            strut: this.cases.sizes.strut,
-            profile: this.cases.sizes.profile,
-            teeth: this.cases.sizes.teeth,
-            nut: this.cases.sizes.nut,
-            sizes: this.cases.sizes.pins.clone(),
-            chosen: this.cases.choice.clone(),
-            states: None,
-            inputs: None,
-            control: None,
-            commanded: None,
-            latched: None,
-            inertias: None,
-            constants: None,
-            ramp: None,
-            motor: None,
-            give: None,
-            around: None,
-            ground: None,
-            turning: None,
-            oil: None,
-            oil_parts: None,
-            wound: None,
-            past: None,
-            fitted: Fitted::default(),
             choice: Choice {
                 driven: p.driven,
                 branch: p.branch,

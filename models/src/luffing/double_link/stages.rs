@@ -4,21 +4,20 @@ use crate::balance::analysis::Analysis;
 use crate::balance::residual::Residual;
 use crate::balance::scene::Form;
 use crate::balance::symbols as b;
+use crate::component::fragments::composed;
 use crate::component::outline::joined;
 use crate::component::part::{Component, Port, ports};
-use crate::component::scalar::Scalar;
-use crate::component::stages::{Found, absent, stages};
+use crate::component::stages::{Found, absent};
 use crate::component::whole::{How, Whole};
-use crate::drive::crank::{CrankRod, Cranked, cranked};
-use crate::drive::gear::Gear;
+use crate::drive::crank::{Cranked, cranked};
+use crate::drive::fragments::{driven, shaft};
 use crate::drive::line::{self, Drive, Mounted, Reaction};
 use crate::drive::mount::{Bore, DriveMount, DrivenBar};
-use crate::drive::shaft::{Gearing, Shaft};
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 use crate::kernel::number::exact;
 use crate::kernel::symbol::{Symbol, listed};
-use crate::kernel::variable::{Fault, Variable};
+use crate::kernel::variable::Fault;
 use crate::luffing::balancing::{Balanced, Balancing};
 use crate::luffing::criteria::Criteria;
 use crate::luffing::double_link::balancing::{self, analysis, balanced, residual};
@@ -38,40 +37,21 @@ use crate::luffing::double_link::resisting::{self, LinkPlaces};
 use crate::luffing::double_link::statics::{LoadMoment, Own, by_pole};
 use crate::luffing::double_link::symbols as g;
 use crate::luffing::double_link::velocity::Velocity;
-use crate::luffing::moving::control::{self, ByAxis, HeldMoments};
-use crate::luffing::moving::given::{Constants, CraneStates, CylinderOil, Fitted, Inputs};
-use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
-use crate::luffing::moving::hydraulic::Modes;
+use crate::luffing::moving::fragments::{coordinate, plant, pulled, remembered, surrounded, told};
+use crate::luffing::moving::given::{CylinderOil, Fitted};
 use crate::luffing::moving::level::{CraneAt, Level};
-use crate::luffing::moving::listed::{Fittings, Said};
-use crate::luffing::moving::luffs::{Luffs, luffs};
+use crate::luffing::moving::listed::{Said, luffing_component, said};
+use crate::luffing::moving::luffs::luffs;
 use crate::luffing::moving::reduced::Renewed;
 use crate::luffing::moving::stages::{
     self, CraneEvents, CraneMoves, CraneOil, CraneRates, INDICATORS, LoadSeen, OilFlows,
 };
-use crate::luffing::resistances::brakes::{Holding, Stopped};
-use crate::luffing::resistances::friction::{Pins, Rubbed};
-use crate::luffing::resistances::given::{
-    Case, CaseBody, CaseBrake, CaseHold, CaseMotor, CasePin, CasesChoice, SecondBrake,
-};
-use crate::luffing::resistances::loads::Loads;
-use crate::luffing::resistances::moments::Resisted;
-use crate::luffing::resistances::motor::{Heating, Motored};
+use crate::luffing::resistances::fragments::{cases, chosen, resisted, sheared};
 use crate::luffing::resistances::outline::WHOLE;
-use crate::luffing::resistances::placed::{MovedBars, Weighty};
-use crate::luffing::resistances::sums::Sums;
 use crate::luffing::resistances::told::resists;
-use crate::luffing::strength::given::{Nut, PinSize, Profile, Strut, Teeth};
-use crate::luffing::strength::nut::{Core, Threaded};
-use crate::luffing::strength::pins::Sheared;
-use crate::luffing::strength::pull::pressed;
-use crate::luffing::strength::strut::{Slender, buckled};
-use crate::luffing::strength::teeth::{Mesh, Toothed};
-use crate::luffing::with_balance::WithBalance;
-use crate::parts::air::AirAround;
-use crate::parts::control::{Latched, SpeedControl};
+use crate::luffing::strength::fragments::{strong, strong_parts};
+use crate::luffing::with_balance::with_balance;
 use crate::parts::four_bar::FourBar;
-use crate::parts::ground::GroundBelow;
 use crate::parts::hydraulics::parts::OilParts;
 use crate::parts::motion::{Motion, degrees};
 use crate::parts::plane::Point;
@@ -86,51 +66,25 @@ mod s {
     pub use crate::luffing::strength::symbols::{P_C, U_K};
 }
 
-stages! {
+composed! {
     /// The double-link luffing mechanism.
     DoubleLink over C from {
-        Coordinate theta: One<C>,
-        Rate omega: One<C>,
-        State states: Option<CraneStates<C>>,
-        Input inputs: Option<Inputs<C>>,
+        ..coordinate(theta, omega),
         Parameter inertias: Option<Inertias<C>>,
-        Parameter constants: Option<Constants<C>>,
-        Parameter ramp: Option<HoistRamp<C>>,
-        Parameter motor: Option<HoistMotor<C>>,
-        Parameter give: Option<RopeGive<C>>,
-        Parameter around: Option<AirAround<C>>,
-        Parameter ground: Option<GroundBelow<C>>,
+        ..plant(motor),
         Parameter turning: Option<Turning<C>>,
         Parameter oil: Option<CylinderOil<C>>,
         Parameter oil_parts: Option<OilParts<C>>,
-        Parameter control: Option<ByAxis<SpeedControl<C>>>,
-        Input commanded: Option<ByAxis<One<C>>>,
-        Latch latched: Option<ByAxis<Latched<C>>>,
-        Memory wound: Option<One<C>>,
-        Memory past: Option<Modes>,
+        ..remembered(),
         Load load: Option<One<C>>,
         Parameter lengths: Lengths<C>,
         Parameter jib: One<C>,
         Parameter weights: Option<Weights<C>>,
-        Parameter mount: Option<DriveMount<C>>,
-        Parameter rod: Option<CrankRod<C>>,
-        Parameter cylinder: Option<Bore<C>>,
-        Parameter gear: Option<Gear<C>>,
+        ..driven(),
         Parameter balance: Option<Form<C>>,
-        Parameter cases: Vec<Case<C>>,
-        Parameter bodies: Vec<CaseBody<C>>,
-        Parameter rubbing: Vec<CasePin<C>>,
-        Parameter air: Option<One<C>>,
-        Parameter driver: Option<CaseMotor<C>>,
-        Parameter brake: Option<CaseBrake<C>>,
-        Parameter second: Option<SecondBrake<C>>,
-        Parameter holds: Vec<CaseHold<C>>,
-        Parameter strut: Option<Strut<C>>,
-        Parameter profile: Option<Profile<C>>,
-        Parameter teeth: Option<Teeth<C>>,
-        Parameter nut: Option<Nut<C>>,
-        Parameter sizes: Option<Vec<PinSize<C>>>,
-        Fixed chosen: Option<CasesChoice>,
+        ..cases(),
+        ..strong_parts(),
+        ..chosen(),
         Fixed choice: Choice,
         Fixed fitted: Fitted,
     } find {
@@ -155,61 +109,31 @@ stages! {
         carried: Carried<C> = Carried::new(velocity, load_moment, load[!], weights, own[?], residual[?]) => _;
         held: Held<C> = Held::new(position, theta, carried, own[?], residual[?], passes);
         push: Reaction<C> = driving::push(drive, held);
-        gearing: Gearing<C> = Gearing::new(gear[!]);
-        shaft: Shaft<C> = line::shaft(gearing, push, stroke, cranked[?]);
-        by_slider: C = line::by_slider(cranked, rod[!], mount[!], push) => T_CR;
+        ..shaft();
         feet: Feet<C> = Feet::new(position, lengths, weights, residual[?], held, push[?]);
         analysed: Analysis = analysed(lengths, jib, weights[!], balance[!], choice) => _, plain;
         criteria: Criteria<C> = criteria(balancing, geometry, weights[!], analysed, choice);
         published: PublishedFormulas<C> = published(geometry, jib, theta) => _;
         mounted: Mounted<C> = Mounted::new(mount[!], rod, crank[?]) => _;
         places: LinkPlaces<C> = LinkPlaces::new(geometry, weights[!], balancing[?], mounted) => _;
-        weighty: Weighty<C> = resisting::weighty(places, bodies, chosen[!]) => _;
-        moved: MovedBars<C> = resisting::moved(places, weighty, residual[?], theta) => _;
-        sums: Sums<C> = Sums::new(moved, bodies, cases, chosen[!]);
-        resisted[each cases]: Vec<Resisted<C>> = Resisted::new(sums, load[!], air[!], cases[each]);
-        loads[each cases]: Vec<Loads<C>> = Loads::new(moved, bodies, chosen[!], load[!], cases[each], resisted[each]) => _;
-        pinned[each cases]: Vec<Pins<C>> = resisting::pins(position, drive, residual[?], moved, loads[each], resisted[each]) => _;
-        rubbed[each cases]: Vec<Rubbed<C>> = Rubbed::new(resisted[each], pinned[each], rubbing, chosen[!]);
-        force[each cases]: Vec<C> = resisting::force(drive, rubbed[each]) => F_R;
-        motored[each cases]: Vec<Motored<C>> = Motored::new(
-            driver[!], sums, cases[each], resisted[each], rubbed[each], force[each]
-        );
-        heating: Heating<C> = Heating::new(driver[!], sums, resisted, motored, chosen[!]);
-        holding[each holds]: Vec<Holding<C>> = Holding::new(driver[!], brake[!], second, sums, holds[each], resisted[each]);
-        stopped[each holds]: Vec<Stopped<C>> = Stopped::new(driver[!], brake[!], second, sums, cases[each], motored[each]);
-        slender: Slender<C> = Slender::new(strut[!], profile, nut, cylinder, drive);
-        buckled[each cases]: Vec<C> = buckled(strut[!], slender, force[each]) => U_K;
-        mesh: Mesh<C> = Mesh::new(teeth[!], gear[!], mount[!]);
-        toothed[each cases]: Vec<Toothed<C>> = Toothed::new(teeth[!], mesh, force[each]);
-        core: Core<C> = Core::new(nut[!], gear[!], gearing);
-        threaded[each cases]: Vec<Threaded<C>> = Threaded::new(nut[!], core, force[each]);
-        pressed[each cases]: Vec<C> = pressed(cylinder[!], force[each]) => P_C;
-        sheared[each cases]: Vec<Sheared<C>> = Sheared::new(sizes[!], chosen[!], pinned[each]);
+        ..resisted(theta, drive, position, drive, residual[?]);
+        ..strong();
+        ..sheared();
         parameters: Parameters<C> = parameters(lengths, jib, weights, mount, cylinder, balance, choice) => _;
         parts[constants]: Vec<CraneParts<C>> = motion::parts(
             parameters, load[!], inertias[!], constants[!], ramp, motor, give, around, ground, turning, oil, oil_parts, fitted, choice
         ) => _;
         linkage[constants]: Vec<Renewed<HeavyLinkage<C>>> = motion::linkage(parts) => _;
         built[constants]: Vec<Level<C>> = motion::built(parts, linkage) => _;
-        sampled: ByAxis<Latched<C>> = control::sampled(control[!], commanded[!], latched[!], theta, omega, states[!]) => _;
-        controlled: HeldMoments<C> = HeldMoments::new(latched[!]);
-        commands: Inputs<C> = control::acting(inputs[!], latched) => _;
-        told[constants]: Vec<Level<C>> = stages::told(built, commands) => _;
+        ..told(theta, omega);
         at: CraneAt<C> = stages::at(theta, omega, states[!], wound, past[!], commands, fitted) => _;
         moves: CraneMoves<C> = stages::moves(built, told, at, theta) => _;
         turning_link: LinkRates<C> = LinkRates::new(moves);
         rates: CraneRates<C> = CraneRates::new(moves, fitted);
         pushing: C = stages::cylinder(built, told, at, theta) => F_C;
-        resisting: C = stages::resisting(built, told, at, theta) => M_R;
-        pull: C = stages::pull(built, told, at, theta) => S_R;
-        drum: C = stages::drum(built, told, at, theta) => M_R_H;
+        ..pulled(theta);
         forces: CraneForces<C> = motion::forces(linkage, built, told, at, theta);
-        air_force: C = stages::air_force(built, told, at, theta, around[!]) => F_AIR;
-        air_power: C = stages::air_power(built, told, at, theta, around[!]) => P_AIR;
-        ground_force: C = stages::ground_force(built, told, at, theta, ground[!]) => N_G;
-        height: C = stages::height(built, told, at, theta, ground[!]) => H_G;
-        blown: C = stages::blown(at) => W_BLOW;
+        ..surrounded(theta);
         resisting_slewing: C = stages::resisting_slewing(built, told, at, theta) => M_R_SL;
         seen: LoadSeen<C> = LoadSeen::new(at, fitted);
         cavitates: CraneOil = CraneOil::new(at, rates, oil[!]);
@@ -222,20 +146,17 @@ luffs!(DoubleLink by theta, omega with motor, turning, oil, oil_parts);
 
 resists!(DoubleLink with resisting::PARTS);
 
-/// What is said of its variables in motion.
-const SAID: Said = Said {
+said! { DoubleLink: Said {
     bar: [&[&s::THETA_1, &s::OMEGA_1, &s::THETA_3, &s::OMEGA_3], &RATES],
     still: &[g::ALL, b::ALL, crate::drive::symbols::ALL],
     moving: &RESULTS,
     drive: Some(&s::M_D),
-};
-
-/// What it has in motion; `None` at rest.
-fn fittings(given: &Given<f64>) -> Option<Fittings> {
-    Fittings::of(&DoubleLink::luffing(given).sources)
-}
+    remarks: &[],
+} }
 
 impl Component for DoubleLink {
+    luffing_component!(position);
+
     const WHOLE: &'static [Whole] = &joined::<_, 5, 4, 9>(
         [
             Whole::new(&s::DELTA_Y, How::Swing, &s::A_Y),
@@ -254,17 +175,7 @@ impl Component for DoubleLink {
         drive "Cylinder, rack, screw, sector or crank between frame and driving link.": s L_D, v V_D, f F_D, q Q_D;
     };
 
-    const STATES: [&'static [&'static Symbol]; 2] = SAID.bar;
-
     const INDICATORS: &'static [&'static Symbol] = &INDICATORS;
-
-    fn gives(given: &Given<f64>, symbol: &'static Symbol) -> bool {
-        fittings(given).is_none_or(|crane| crane.gives(symbol))
-    }
-
-    fn list(given: &Given<f64>, variable: &mut Variable) -> u8 {
-        fittings(given).map_or(0, |_| SAID.list(variable))
-    }
 
     fn has(given: &Given<f64>, symbol: &'static Symbol) -> bool {
         let own = match given.choice.driven {
@@ -281,20 +192,6 @@ impl Component for DoubleLink {
             && (!of_balance.contains(&symbol) || given.balance.is_some())
             && line::has(given.mount.as_ref(), given.rod.is_some(), given.gear.as_ref(), symbol)
             && (symbol != &b::F_D_0 || given.mount.is_some())
-    }
-
-    fn cycle(given: &Given<f64>) -> Option<f64> {
-        given.control.as_ref().and_then(control::cycle)
-    }
-
-    fn latch(known: &mut Known<f64>) -> Found<()> {
-        let held = *known.sampled()?;
-        *known.latched() = Some(held);
-        Ok(())
-    }
-
-    fn update(known: &mut Known<f64>) -> Found<()> {
-        known.position().map(|_| ())
     }
 
     /// With its change points go the branches of a linkage.
@@ -314,25 +211,7 @@ impl Component for DoubleLink {
     }
 }
 
-impl WithBalance for DoubleLink {
-    const SYMBOLS: [&'static Symbol; 3] = [&s::THETA_1, &s::R, &s::M_D];
-
-    fn form(given: &Given<f64>) -> Option<Form<f64>> {
-        given.balance
-    }
-
-    fn balance(known: &mut Known<f64>) -> Found<(Balancing<f64>, Analysis)> {
-        Ok((*known.balancing()?, known.analysed()?.clone()))
-    }
-
-    fn head(known: &mut Known<f64>) -> Found<Point<f64>> {
-        Ok(known.position()?.b)
-    }
-
-    fn residual<C: Scalar>(known: &mut Known<C>) -> Found<Residual<C>> {
-        known.residual().copied()
-    }
-}
+with_balance!(DoubleLink by [&s::THETA_1, &s::R, &s::M_D], head position b);
 
 fn parameters<C: Calc>(
     lengths: &Lengths<C>,

@@ -21,6 +21,7 @@ use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, SOURCE, Values};
 use crate::kernel::sign::Sign;
 use crate::kernel::symbol::{Symbol, listed};
+use crate::luffing::at_rest::at_rest;
 use crate::luffing::boom_scene::{INTERPOLATION, MOVING_FIDELITY, balance_work, begun, motion, uncovered, vanishing};
 use crate::luffing::counterweight::chapter;
 use crate::luffing::ellipsograph::driving;
@@ -33,7 +34,6 @@ use crate::luffing::ellipsograph::statics::GuidedWeights;
 use crate::luffing::ellipsograph::symbols as s;
 use crate::luffing::moving;
 use crate::luffing::moving::control::luffing::CONTROL;
-use crate::luffing::moving::given::Fitted;
 use crate::luffing::moving::hoisting::HOISTING_KEYS;
 use crate::luffing::moving::levels::{self, boom_levels};
 use crate::luffing::moving::scene::{Inert, Moving, brisk, dynamics, turns};
@@ -151,31 +151,13 @@ impl Described for Ellipsograph {
             brisk(v, moving, &range, found);
         }
         let cases = Cases::read(v, &resisting::PARTS, balance.as_ref(), gravity, found);
-        let given = Given {
+        let given = at_rest! { (cases, driving) without [motor];
             phi: One(&b::PHI, range.from),
             omega: One(&s::OMEGA, range.speed),
             load: v.of(&s::Q).map(|q| One(&s::Q, q)),
             bars: Bars::read(v)?,
             weights: v.part("weights", GuidedWeights::read)?,
-            mount: driving.mount,
-            rod: driving.rod(),
-            cylinder: driving.cylinder,
-            gear: driving.gear,
             balance,
-            cases: cases.cases.clone(),
-            bodies: cases.bodies.clone(),
-            rubbing: cases.pins.clone(),
-            air: cases.air,
-            driver: cases.motor,
-            brake: cases.brake,
-            second: cases.second,
-            holds: cases.holds.clone(),
-            strut: cases.sizes.strut,
-            profile: cases.sizes.profile,
-            teeth: cases.sizes.teeth,
-            nut: cases.sizes.nut,
-            sizes: cases.sizes.pins.clone(),
-            chosen: cases.choice.clone(),
             choice: GuidedChoice {
                 range,
                 crank: driving.branch(),
@@ -184,20 +166,6 @@ impl Described for Ellipsograph {
                 Some(_) => Some(GuidedInertias::read(v.table("dynamics")?)?),
                 None => None,
             },
-            states: None,
-            inputs: None,
-            control: None,
-            commanded: None,
-            latched: None,
-            constants: None,
-            ramp: None,
-            motor: None,
-            give: None,
-            around: None,
-            ground: None,
-            wound: None,
-            past: None,
-            fitted: Fitted::default(),
         };
         let published_balance = v.table("balance").and_then(PublishedBalance::read);
         let read = Ellipsograph {

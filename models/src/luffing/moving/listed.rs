@@ -127,6 +127,8 @@ pub struct Said {
     /// Results in motion in the place of those at rest, and the moment of the drive.
     pub moving: &'static [&'static Symbol],
     pub drive: Option<&'static Symbol>,
+    /// What is said of others, in motion and at rest.
+    pub remarks: &'static [(&'static Symbol, &'static str)],
 }
 
 impl Said {
@@ -135,6 +137,8 @@ impl Said {
     pub fn list(&self, variable: &mut Variable) -> u8 {
         let symbol = variable.symbol;
         let [driving, rates] = self.bar;
+        let own = self.remarks.iter().find(|(known, _)| *known == symbol);
+        variable.remark = own.map(|(_, remark)| *remark).or(variable.remark);
         variable.at_events = symbol == &s::V_H || (HELD.contains(&symbol) && variable.role != Role::Input);
         if variable.role == Role::Indicator {
             return 3;
@@ -157,3 +161,52 @@ impl Said {
         1
     }
 }
+
+/// What is said of a component's variables in motion, and what it has there.
+macro_rules! said {
+    ($component:ident: $said:expr) => {
+        /// What is said of its variables in motion.
+        const SAID: $crate::luffing::moving::listed::Said = $said;
+
+        /// What it has in motion; `None` at rest.
+        fn fittings(given: &Given<f64>) -> Option<$crate::luffing::moving::listed::Fittings> {
+            use $crate::luffing::moving::luffs::Luffs;
+            $crate::luffing::moving::listed::Fittings::of(&$component::luffing(given).sources)
+        }
+    };
+}
+pub(crate) use said;
+
+/// What stands in the `Component` of every luffing mechanism: states, inputs and results of its motion as [`said!`]
+/// tells them, what its controllers latch; the stage that a scene's change comes to is named.
+macro_rules! luffing_component {
+    ($stage:ident) => {
+        const STATES: [&'static [&'static $crate::kernel::symbol::Symbol]; 2] = SAID.bar;
+
+        fn gives(given: &Given<f64>, symbol: &'static $crate::kernel::symbol::Symbol) -> bool {
+            fittings(given).is_none_or(|crane| crane.gives(symbol))
+        }
+
+        fn list(given: &Given<f64>, variable: &mut $crate::kernel::variable::Variable) -> u8 {
+            fittings(given).map_or(0, |_| SAID.list(variable))
+        }
+
+        fn cycle(given: &Given<f64>) -> Option<f64> {
+            given
+                .control
+                .as_ref()
+                .and_then($crate::luffing::moving::control::cycle)
+        }
+
+        fn latch(known: &mut Known<f64>) -> Found<()> {
+            let held = *known.sampled()?;
+            *known.latched() = Some(held);
+            Ok(())
+        }
+
+        fn update(known: &mut Known<f64>) -> Found<()> {
+            known.$stage().map(|_| ())
+        }
+    };
+}
+pub(crate) use luffing_component;

@@ -30,6 +30,7 @@ pub mod crane;
 mod driven;
 pub mod dynamics;
 pub mod follows;
+pub mod fragments;
 pub mod given;
 mod grounded;
 pub mod hanging;

@@ -20,6 +20,7 @@
 
 pub mod brakes;
 pub mod checks;
+pub mod fragments;
 pub mod friction;
 pub mod given;
 pub mod loads;

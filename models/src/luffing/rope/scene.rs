@@ -19,11 +19,11 @@ use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, SOURCE, Values};
 use crate::kernel::sign::Sign;
 use crate::kernel::symbol::{Symbol, listed};
+use crate::luffing::at_rest::at_rest;
 use crate::luffing::boom_scene::{INTERPOLATION, MOVING_FIDELITY, balance_work, begun, motion, uncovered, vanishing};
 use crate::luffing::counterweight::chapter;
 use crate::luffing::moving;
 use crate::luffing::moving::control::luffing::CONTROL;
-use crate::luffing::moving::given::Fitted;
 use crate::luffing::moving::hoisting::BY_SPEED_KEYS;
 use crate::luffing::moving::levels::{self, boom_levels};
 use crate::luffing::moving::scene::{Inert, Moving, brisk, dynamics, turns};
@@ -168,7 +168,7 @@ impl Described for Rope {
             brisk(v, moving, &range, found);
         }
         let cases = Cases::read(v, &resisting::PARTS, balance.as_ref(), gravity, found);
-        let given = Given {
+        let given = at_rest! { (cases) without [slack];
             phi: One(&b::PHI, range.from),
             omega: One(&s::OMEGA, range.speed),
             load: v.of(&s::Q).map(|q| One(&s::Q, q)),
@@ -176,36 +176,12 @@ impl Described for Rope {
             compensation: Compensation::read(v),
             weights: v.part("weights", Plain::read)?,
             balance,
-            cases: cases.cases.clone(),
-            bodies: cases.bodies.clone(),
-            rubbing: cases.pins.clone(),
-            air: cases.air,
-            driver: cases.motor,
-            brake: cases.brake,
-            second: cases.second,
-            holds: cases.holds.clone(),
             wire: cases.sizes.wire,
-            sizes: cases.sizes.pins.clone(),
-            chosen: cases.choice.clone(),
             choice: BoomChoice { range },
             inertia: match &moving {
                 Some(_) => Some(BoomInertia::read(v.table("dynamics")?)?),
                 None => None,
             },
-            states: None,
-            inputs: None,
-            control: None,
-            commanded: None,
-            latched: None,
-            constants: None,
-            ramp: None,
-            give: None,
-            around: None,
-            ground: None,
-            wound: None,
-            past: None,
-            slack: None,
-            fitted: Fitted::default(),
         };
         let published_balance = v.table("balance").and_then(PublishedBalance::read);
         let rope = Rope {

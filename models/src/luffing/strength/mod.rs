@@ -13,6 +13,7 @@
 //! | `strength.rope` | [`pull::RopeRatios::new`], [`pull::Tensed::new`] | Ports001, 5.8 |
 //! | `strength.pins` | [`pins::Sheared::new`] | Ports001, 5.8 |
 
+pub mod fragments;
 pub mod given;
 pub mod nut;
 pub mod outline;

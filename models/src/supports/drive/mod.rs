@@ -20,6 +20,7 @@
 
 pub mod brake;
 pub mod checks;
+pub mod fragments;
 pub mod given;
 pub mod inertia;
 pub mod motor;

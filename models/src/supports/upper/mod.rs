@@ -10,6 +10,7 @@
 //! | `upper.weights` | [`weights::UpperWorks::new`] | equilibrium |
 //! | `upper.load` | [`load::SupportLoad::new`] | Ports001, 6.1: equilibrium |
 
+pub mod fragments;
 pub mod keys;
 pub mod load;
 pub mod symbols;

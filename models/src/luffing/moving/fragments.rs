@@ -1,0 +1,119 @@
+//! Groups and stages of a luffing mechanism that may move by itself, as they stand in every one.
+
+/// Groups of the coordinate, its rate, the states of the motion and its inputs.
+macro_rules! coordinate {
+    (($phi:ident, $omega:ident) $($to:tt)*) => {
+        $crate::component::fragments::composed! { @with {
+            Coordinate $phi: One<C>,
+            Rate $omega: One<C>,
+            State states: Option<$crate::luffing::moving::given::CraneStates<C>>,
+            Input inputs: Option<$crate::luffing::moving::given::Inputs<C>>,
+        } $($to)* }
+    };
+}
+pub(crate) use coordinate;
+
+/// Groups of its constants, its hoist, by a motor too where one is named, and what is around its load.
+macro_rules! plant {
+    (($($motor:ident)?) $($to:tt)*) => {
+        $crate::component::fragments::composed! { @with {
+            Parameter constants: Option<$crate::luffing::moving::given::Constants<C>>,
+            Parameter ramp: Option<$crate::luffing::moving::hoisting::HoistRamp<C>>,
+            $(Parameter $motor: Option<$crate::luffing::moving::hoisting::HoistMotor<C>>,)?
+            Parameter give: Option<$crate::luffing::moving::hoisting::RopeGive<C>>,
+            Parameter around: Option<$crate::parts::air::AirAround<C>>,
+            Parameter ground: Option<$crate::parts::ground::GroundBelow<C>>,
+        } $($to)* }
+    };
+}
+pub(crate) use plant;
+
+/// Groups of its controllers and of what happened before.
+macro_rules! remembered {
+    (() $($to:tt)*) => {
+        $crate::component::fragments::composed! { @with {
+            Parameter control: Option<$crate::luffing::moving::control::ByAxis<$crate::parts::control::SpeedControl<C>>>,
+            Input commanded: Option<$crate::luffing::moving::control::ByAxis<One<C>>>,
+            Latch latched: Option<$crate::luffing::moving::control::ByAxis<$crate::parts::control::Latched<C>>>,
+            Memory wound: Option<One<C>>,
+            Memory past: Option<$crate::luffing::moving::hydraulic::Modes>,
+        } $($to)* }
+    };
+}
+pub(crate) use remembered;
+
+/// Stages of a single boom's equations of motion, whose bodies and hoist are found: the boom's kind and its bodies are named.
+macro_rules! single_boom {
+    (($kind:ident, $bodies:ident) $($to:tt)*) => {
+        $crate::component::fragments::composed! { @with {
+            parts[constants]: Vec<$crate::luffing::moving::single::SingleParts<$kind, C>> =
+                $crate::luffing::moving::single::parts(
+                    $bodies, load[!], balance, hoist, around, ground, constants[!], fitted
+                ) => _;
+            boom[constants]: Vec<
+                $crate::luffing::moving::reduced::Renewed<$crate::luffing::moving::single::Heavy<$kind, C>>
+            > = $crate::luffing::moving::single::heavy(parts) => _;
+            built[constants]: Vec<$crate::luffing::moving::level::Level<C>> =
+                $crate::luffing::moving::single::built(parts, boom) => _;
+        } $($to)* }
+    };
+}
+pub(crate) use single_boom;
+
+/// Stages of what its controllers hold and of the equations under what is commanded.
+macro_rules! told {
+    (($phi:ident, $omega:ident) $($to:tt)*) => {
+        $crate::component::fragments::composed! { @with {
+            sampled: $crate::luffing::moving::control::ByAxis<$crate::parts::control::Latched<C>> =
+                $crate::luffing::moving::control::sampled(control[!], commanded[!], latched[!], $phi, $omega, states[!]) => _;
+            controlled: $crate::luffing::moving::control::HeldMoments<C> =
+                $crate::luffing::moving::control::HeldMoments::new(latched[!]);
+            commands: $crate::luffing::moving::given::Inputs<C> =
+                $crate::luffing::moving::control::acting(inputs[!], latched) => _;
+            told[constants]: Vec<$crate::luffing::moving::level::Level<C>> =
+                $crate::luffing::moving::stages::told(built, commands) => _;
+        } $($to)* }
+    };
+}
+pub(crate) use told;
+
+/// Stages of a single boom's rates, behind `at`; its coordinate and kind are named.
+macro_rules! boom_rates {
+    (($phi:ident, $kind:ident) $($to:tt)*) => {
+        $crate::component::fragments::composed! { @with {
+            moves: $crate::luffing::moving::stages::CraneMoves<C> =
+                $crate::luffing::moving::stages::moves(built, told, at, $phi) => _;
+            turning: $crate::luffing::moving::single::BoomRates<$kind, C> =
+                $crate::luffing::moving::single::BoomRates::new(moves);
+            rates: $crate::luffing::moving::stages::CraneRates<C> =
+                $crate::luffing::moving::stages::CraneRates::new(moves, fitted);
+        } $($to)* }
+    };
+}
+pub(crate) use boom_rates;
+
+/// Stages of the moments that resist and of the rope's pull.
+macro_rules! pulled {
+    (($phi:ident) $($to:tt)*) => {
+        $crate::component::fragments::composed! { @with {
+            resisting: C = $crate::luffing::moving::stages::resisting(built, told, at, $phi) => M_R;
+            pull: C = $crate::luffing::moving::stages::pull(built, told, at, $phi) => S_R;
+            drum: C = $crate::luffing::moving::stages::drum(built, told, at, $phi) => M_R_H;
+        } $($to)* }
+    };
+}
+pub(crate) use pulled;
+
+/// Stages of what air and ground do to the load, and of what blows have taken.
+macro_rules! surrounded {
+    (($phi:ident) $($to:tt)*) => {
+        $crate::component::fragments::composed! { @with {
+            air_force: C = $crate::luffing::moving::stages::air_force(built, told, at, $phi, around[!]) => F_AIR;
+            air_power: C = $crate::luffing::moving::stages::air_power(built, told, at, $phi, around[!]) => P_AIR;
+            ground_force: C = $crate::luffing::moving::stages::ground_force(built, told, at, $phi, ground[!]) => N_G;
+            height: C = $crate::luffing::moving::stages::height(built, told, at, $phi, ground[!]) => H_G;
+            blown: C = $crate::luffing::moving::stages::blown(at) => W_BLOW;
+        } $($to)* }
+    };
+}
+pub(crate) use surrounded;
