@@ -43,6 +43,15 @@ def words(language):
     return groups
 
 
+# Files that take long, the longest first: at the end one process would wait for another.
+LONG = ["platforms", "ready_books", "oil_parts", "trade", "book", "synth"]
+
+
+def pytest_collection_modifyitems(items):
+    names = [f"test_{name}.py" for name in LONG]
+    items.sort(key=lambda item: names.index(item.path.name) if item.path.name in names else len(names))
+
+
 @pytest.fixture(scope="session")
 def out(tmp_path_factory):
     folder = tmp_path_factory.mktemp("out")

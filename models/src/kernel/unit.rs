@@ -247,25 +247,3 @@ pub fn find(text: &str) -> Option<&'static Unit> {
         .replace('²', "2");
     ALL.iter().copied().find(|unit| unit.name == plain)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn spellings_of_one_unit() {
-        for text in ["kN.m", "kN m", "kN·m", "kN*m"] {
-            assert_eq!(find(text), Some(&KN_M), "{text}");
-        }
-        assert_eq!(find("°/s"), Some(&DEG_PER_S));
-        assert_eq!(find("furlong"), None);
-    }
-
-    #[test]
-    fn derived_units_follow_from_base_units() {
-        assert_eq!(KN.dimension.times(M.dimension), KN_M.dimension);
-        assert_eq!(N.dimension.over(M2.dimension), PA.dimension);
-        assert_eq!(M2.dimension.root(), Some(M.dimension));
-        assert_eq!(M.dimension.root(), None);
-    }
-}

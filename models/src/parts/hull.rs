@@ -31,25 +31,3 @@ pub fn hull(points: &[Point<f64>]) -> Option<Vec<usize>> {
     corners.extend(half(&mut order.iter().rev().copied()));
     (corners.len() >= 3).then_some(corners)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn points_within_and_on_sides_are_no_corners() {
-        let at = |x: f64, y: f64| Point::new(x, y);
-        let points = [
-            at(2.0, 1.0),
-            at(-2.0, 1.0),
-            at(0.0, 0.0),
-            at(2.0, -1.0),
-            at(0.0, 1.0),
-            at(-2.0, -1.0),
-        ];
-        assert_eq!(hull(&points), Some(vec![5, 3, 0, 1]));
-        assert_eq!(hull(&points[2..3]), None);
-        assert_eq!(hull(&[at(0.0, 0.0), at(1.0, 1.0), at(2.0, 2.0 + 1e-13)]), None);
-        assert_eq!(hull(&[at(0.0, 0.0); 4]), None);
-    }
-}
