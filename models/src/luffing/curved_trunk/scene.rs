@@ -206,6 +206,8 @@ impl Described for CurvedTrunk {
             rubbing: cases.pins.clone(),
             air: cases.air,
             driver: cases.motor,
+            slip: cases.slip,
+            inverter: cases.inverter,
             brake: cases.brake,
             second: cases.second,
             holds: cases.holds.clone(),

@@ -46,13 +46,14 @@ use crate::luffing::moving::stages::{self, CraneEvents, CraneMoves, CraneRates, 
 use crate::luffing::resistances::brakes::{Holding, Stopped};
 use crate::luffing::resistances::friction::{Pins, Rubbed};
 use crate::luffing::resistances::given::{
-    Case, CaseBody, CaseBrake, CaseHold, CaseMotor, CasePin, CasesChoice, SecondBrake,
+    Case, CaseBody, CaseBrake, CaseHold, CaseMotor, CasePin, CasesChoice, InverterStart, SecondBrake, SlipStart,
 };
 use crate::luffing::resistances::loads::Loads;
 use crate::luffing::resistances::moments::Resisted;
 use crate::luffing::resistances::motor::{Heating, Motored};
 use crate::luffing::resistances::outline::WHOLE;
 use crate::luffing::resistances::placed::{MovedBars, Weighty};
+use crate::luffing::resistances::starts::{Ramped, Slipped};
 use crate::luffing::resistances::sums::Sums;
 use crate::luffing::resistances::told::resists;
 use crate::luffing::strength::given::{Nut, PinSize, Profile, Strut, Teeth};
@@ -112,6 +113,8 @@ stages! {
         Parameter rubbing: Vec<CasePin<C>>,
         Parameter air: Option<One<C>>,
         Parameter driver: Option<CaseMotor<C>>,
+        Parameter slip: Option<SlipStart<C>>,
+        Parameter inverter: Option<InverterStart<C>>,
         Parameter brake: Option<CaseBrake<C>>,
         Parameter second: Option<SecondBrake<C>>,
         Parameter holds: Vec<CaseHold<C>>,
@@ -167,6 +170,8 @@ stages! {
         heating: Heating<C> = Heating::new(driver[!], sums, resisted, motored, chosen[!]);
         holding[each holds]: Vec<Holding<C>> = Holding::new(driver[!], brake[!], second, sums, holds[each], resisted[each]);
         stopped[each holds]: Vec<Stopped<C>> = Stopped::new(driver[!], brake[!], second, sums, cases[each], motored[each]);
+        slipped[each cases]: Vec<Slipped<C>> = Slipped::new(driver[!], slip[!], sums, cases[each], motored[each]);
+        ramped[each cases]: Vec<Ramped<C>> = Ramped::new(driver[!], inverter[!], sums, cases[each], motored[each]);
         slender: Slender<C> = Slender::new(strut[!], profile, nut, cylinder, drive);
         buckled[each cases]: Vec<C> = buckled(strut[!], slender, force[each]) => U_K;
         mesh: Mesh<C> = Mesh::new(teeth[!], gear[!], mount[!]);

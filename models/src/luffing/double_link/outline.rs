@@ -53,7 +53,7 @@ pub const FOLLOWED: &[&Symbol] = &[
 pub const OUTLINE: Outline = Outline {
     inputs: chapters! {
         geometry "", weights, drive, balance, load "Q", motion, moving "dynamics", luffing_control "control", hoisting, hoisting_control "hoisting.control", air, ground, slewing, slewing_control "slewing.control", oil "hydraulics",
-        cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_brake "cases.brake", case_second_brake "cases.second_brake",
+        cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_start "cases.start", case_brake "cases.brake", case_second_brake "cases.second_brake",
         case_buckling "cases.buckling", case_teeth "cases.teeth", case_nut "cases.nut", case_pin_sizes "cases.pin_size", limits
     },
     constants: &[
@@ -101,8 +101,16 @@ pub const OUTLINE: Outline = Outline {
         ],
         EXTREMES,
     ),
-    summary: &joined::<_, 5, 6, 11>(
-        [&s::DELTA_Y, &s::EPSILON_Y, &d::LAMBDA_D, &d::RHO_D, &d::LOCK_D],
+    summary: &joined::<_, 7, 6, 13>(
+        [
+            &s::DELTA_Y,
+            &s::EPSILON_Y,
+            &s::C_Q,
+            &s::C_G,
+            &d::LAMBDA_D,
+            &d::RHO_D,
+            &d::LOCK_D,
+        ],
         SUMMARY,
     ),
     sensitivity: &[

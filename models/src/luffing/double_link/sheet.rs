@@ -96,6 +96,8 @@ impl Described for LuffingScene {
             rubbing: this.cases.pins.clone(),
             air: this.cases.air,
             driver: this.cases.motor,
+            slip: this.cases.slip,
+            inverter: this.cases.inverter,
             brake: this.cases.brake,
             second: this.cases.second,
             holds: this.cases.holds.clone(),

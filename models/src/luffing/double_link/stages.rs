@@ -37,6 +37,7 @@ use crate::luffing::double_link::published::PublishedFormulas;
 use crate::luffing::double_link::resisting::{self, LinkPlaces};
 use crate::luffing::double_link::statics::{LoadMoment, Own, by_pole};
 use crate::luffing::double_link::symbols as g;
+use crate::luffing::double_link::unbalanced::{SIDE_BY_SIDE, Unbalanced, UnbalancedCase, WORKED};
 use crate::luffing::double_link::velocity::Velocity;
 use crate::luffing::moving::control::{self, ByAxis, HeldMoments};
 use crate::luffing::moving::given::{Constants, CraneStates, CylinderOil, Fitted, Inputs};
@@ -52,14 +53,16 @@ use crate::luffing::moving::stages::{
 use crate::luffing::resistances::brakes::{Holding, Stopped};
 use crate::luffing::resistances::friction::{Pins, Rubbed};
 use crate::luffing::resistances::given::{
-    Case, CaseBody, CaseBrake, CaseHold, CaseMotor, CasePin, CasesChoice, SecondBrake,
+    Case, CaseBody, CaseBrake, CaseHold, CaseMotor, CasePin, CasesChoice, InverterStart, SecondBrake, SlipStart,
 };
 use crate::luffing::resistances::loads::Loads;
 use crate::luffing::resistances::moments::Resisted;
 use crate::luffing::resistances::motor::{Heating, Motored};
 use crate::luffing::resistances::outline::WHOLE;
 use crate::luffing::resistances::placed::{MovedBars, Weighty};
+use crate::luffing::resistances::starts::{Ramped, Slipped};
 use crate::luffing::resistances::sums::Sums;
+use crate::luffing::resistances::symbols::M_R_OWN;
 use crate::luffing::resistances::told::resists;
 use crate::luffing::strength::given::{Nut, PinSize, Profile, Strut, Teeth};
 use crate::luffing::strength::nut::{Core, Threaded};
@@ -122,6 +125,8 @@ stages! {
         Parameter rubbing: Vec<CasePin<C>>,
         Parameter air: Option<One<C>>,
         Parameter driver: Option<CaseMotor<C>>,
+        Parameter slip: Option<SlipStart<C>>,
+        Parameter inverter: Option<InverterStart<C>>,
         Parameter brake: Option<CaseBrake<C>>,
         Parameter second: Option<SecondBrake<C>>,
         Parameter holds: Vec<CaseHold<C>>,
@@ -178,6 +183,10 @@ stages! {
         heating: Heating<C> = Heating::new(driver[!], sums, resisted, motored, chosen[!]);
         holding[each holds]: Vec<Holding<C>> = Holding::new(driver[!], brake[!], second, sums, holds[each], resisted[each]);
         stopped[each holds]: Vec<Stopped<C>> = Stopped::new(driver[!], brake[!], second, sums, cases[each], motored[each]);
+        slipped[each cases]: Vec<Slipped<C>> = Slipped::new(driver[!], slip[!], sums, cases[each], motored[each]);
+        ramped[each cases]: Vec<Ramped<C>> = Ramped::new(driver[!], inverter[!], sums, cases[each], motored[each]);
+        unbalanced: Unbalanced<C> = Unbalanced::new(position, velocity, weights[!], own, moved, bodies, chosen[!]);
+        unbalanced_case[each cases]: Vec<UnbalancedCase<C>> = UnbalancedCase::new(unbalanced, load[!], cases[each], resisted[each]);
         slender: Slender<C> = Slender::new(strut[!], profile, nut, cylinder, drive);
         buckled[each cases]: Vec<C> = buckled(strut[!], slender, force[each]) => U_K;
         mesh: Mesh<C> = Mesh::new(teeth[!], gear[!], mount[!]);
@@ -220,7 +229,7 @@ stages! {
 
 luffs!(DoubleLink by theta, omega with motor, turning, oil, oil_parts);
 
-resists!(DoubleLink with resisting::PARTS);
+resists!(DoubleLink with resisting::PARTS, beside SIDE_BY_SIDE, worked WORKED);
 
 /// What is said of its variables in motion.
 const SAID: Said = Said {
@@ -236,13 +245,15 @@ fn fittings(given: &Given<f64>) -> Option<Fittings> {
 }
 
 impl Component for DoubleLink {
-    const WHOLE: &'static [Whole] = &joined::<_, 5, 4, 9>(
+    const WHOLE: &'static [Whole] = &joined::<_, 7, 4, 11>(
         [
             Whole::new(&s::DELTA_Y, How::Swing, &s::A_Y),
             Whole::new(&s::EPSILON_Y, How::Ratio(&s::R), &s::A_Y),
             Whole::new(&s::R_MAX, How::Greatest, &s::R),
             Whole::new(&s::R_MIN, How::Least, &s::R),
             Whole::new(&s::MU_MIN, How::Least, &s::MU),
+            Whole::new(&s::C_Q, How::Share(&s::R), &s::E_Q),
+            Whole::new(&s::C_G, How::Share(&s::M_G), &M_R_OWN),
         ],
         WHOLE,
     );
@@ -281,6 +292,7 @@ impl Component for DoubleLink {
             && (!of_balance.contains(&symbol) || given.balance.is_some())
             && line::has(given.mount.as_ref(), given.rod.is_some(), given.gear.as_ref(), symbol)
             && (symbol != &b::F_D_0 || given.mount.is_some())
+            && (symbol != &s::C_G || given.balance.is_some())
     }
 
     fn cycle(given: &Given<f64>) -> Option<f64> {

@@ -167,6 +167,8 @@ impl Described for Ellipsograph {
             rubbing: cases.pins.clone(),
             air: cases.air,
             driver: cases.motor,
+            slip: cases.slip,
+            inverter: cases.inverter,
             brake: cases.brake,
             second: cases.second,
             holds: cases.holds.clone(),

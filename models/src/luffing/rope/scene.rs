@@ -181,6 +181,8 @@ impl Described for Rope {
             rubbing: cases.pins.clone(),
             air: cases.air,
             driver: cases.motor,
+            slip: cases.slip,
+            inverter: cases.inverter,
             brake: cases.brake,
             second: cases.second,
             holds: cases.holds.clone(),
