@@ -30,6 +30,7 @@ use crate::luffing::double_link::held::{Carried, Held, Passes};
 use crate::luffing::double_link::linkage::HeavyLinkage;
 use crate::luffing::double_link::moving::built::{CraneParts, Inertias};
 use crate::luffing::double_link::moving::motion::{self, CraneForces, LinkRates, RATES};
+use crate::luffing::double_link::outline;
 use crate::luffing::double_link::parameters::{Choice, Driven, Jib, Lengths, Parameters, Weights};
 use crate::luffing::double_link::pole::Pole;
 use crate::luffing::double_link::position::Position;
@@ -37,7 +38,7 @@ use crate::luffing::double_link::published::PublishedFormulas;
 use crate::luffing::double_link::resisting::{self, LinkPlaces};
 use crate::luffing::double_link::statics::{LoadMoment, Own, by_pole};
 use crate::luffing::double_link::symbols as g;
-use crate::luffing::double_link::unbalanced::{SIDE_BY_SIDE, Unbalanced, UnbalancedCase, WORKED};
+use crate::luffing::double_link::unbalanced::{Unbalanced, UnbalancedCase};
 use crate::luffing::double_link::velocity::Velocity;
 use crate::luffing::moving::control::{self, ByAxis, HeldMoments};
 use crate::luffing::moving::given::{Constants, CraneStates, CylinderOil, Fitted, Inputs};
@@ -55,12 +56,13 @@ use crate::luffing::resistances::friction::{Pins, Rubbed};
 use crate::luffing::resistances::given::{
     Case, CaseBody, CaseBrake, CaseHold, CaseMotor, CasePin, CasesChoice, InverterStart, SecondBrake, SlipStart,
 };
+use crate::luffing::resistances::inverter::Ramped;
 use crate::luffing::resistances::loads::Loads;
 use crate::luffing::resistances::moments::Resisted;
 use crate::luffing::resistances::motor::{Heating, Motored};
 use crate::luffing::resistances::outline::WHOLE;
 use crate::luffing::resistances::placed::{MovedBars, Weighty};
-use crate::luffing::resistances::starts::{Ramped, Slipped};
+use crate::luffing::resistances::starts::Slipped;
 use crate::luffing::resistances::sums::Sums;
 use crate::luffing::resistances::symbols::M_R_OWN;
 use crate::luffing::resistances::told::resists;
@@ -229,7 +231,7 @@ stages! {
 
 luffs!(DoubleLink by theta, omega with motor, turning, oil, oil_parts);
 
-resists!(DoubleLink with resisting::PARTS, beside SIDE_BY_SIDE, worked WORKED);
+resists!(DoubleLink with resisting::PARTS, beside outline::SIDE_BY_SIDE, worked outline::UNBALANCED);
 
 /// What is said of its variables in motion.
 const SAID: Said = Said {

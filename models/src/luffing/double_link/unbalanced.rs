@@ -6,11 +6,9 @@
 //!
 //! Moments are for one radian of the luffing angle, positive where they raise the boom.
 
-use crate::component::outline::Explained::Stage;
 use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
-use crate::kernel::symbol::{Symbol, listed};
 use crate::luffing::double_link::parameters::{Driven, Weights};
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::statics::Own;
@@ -20,31 +18,12 @@ use crate::luffing::resistances::given::{Case, CaseBody, CasesChoice};
 use crate::luffing::resistances::moments::Resisted;
 use crate::luffing::resistances::placed::MovedBars;
 use crate::luffing::resistances::sums::{BodySums, swept};
-use crate::luffing::resistances::symbols::{M_R_SUM, P_I};
-use crate::luffing::strength::outline::WorkedOutline;
 use crate::parts::plane::{Point, turned};
 
 /// Places of the bars among the bodies.
 const BOOM: usize = 0;
 const TRUNK: usize = 1;
 const TIE: usize = 2;
-
-/// The eight, each that has an exact one of its own before that.
-pub const SIDE_BY_SIDE: &[&Symbol] = listed!(s:
-    M_U_LOAD, M_U_ROPE, M_U_TIE, M_X_TIE, M_U_TRUNK, M_X_TRUNK, M_U_TIE_WIND, M_X_TIE_WIND, M_U_TRUNK_WIND, M_X_TRUNK_WIND,
-    M_U_BOOM_WIND, M_X_BOOM_WIND, M_U_BOOM, M_X_BOOM
-);
-
-/// How they are worked out where the sum of the case is greatest.
-pub const WORKED: &[WorkedOutline] = &[(
-    "worked_unbalanced",
-    &M_R_SUM,
-    &[
-        ("unbalanced_weights", &[Stage("unbalanced")]),
-        ("unbalanced_case", &[Stage("unbalanced_case")]),
-    ],
-    &[&P_I, &s::W_UL, &s::W_UX, &s::S_UX, &s::S_UB],
-)];
 
 /// Angular velocities of boom, jib and rocker for one radian of the luffing angle.
 fn ratios<C: Calc>(p: &Position<C>, v: &Velocity<C>) -> [C; 3] {

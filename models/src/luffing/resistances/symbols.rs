@@ -81,7 +81,7 @@ symbols! {
     T_BD: "T_bd" "T_k" N_M / N_M, "Breakdown torque of the motor.", "Kloss";
     S_F: "s_f" "s_(f i)" ONE / ONE, "Slip of the motor at the speed of the case.", "Kloss";
     T_LEAST: "T_least" "T_(s i)" N_M / N_M, "Least torque of the motor on the way from rest to the speed of the case: that at one of its ends.", "Kloss";
-    I_S: "I_s" "I_(s i)" ONE / ONE [infinite("where the motor cannot start")], "Integral over the slip, from that of the case to one, of the breakdown torque over what the motor's torque has to spare.", "by integration";
+    I_S: "I_s" "I_(s i)" ONE / ONE [infinite("where the motor cannot start")], "Integral over the slip, from that of the case to one, of the breakdown torque over what the motor's torque has to spare.", "Kloss";
     T_SLIP: "t_slip" "t_(k i)" S / S [infinite("where the motor cannot start")], "Time of a start from this position along the motor's slip curve.", "[Ports001, 5.6]";
     A_SLIP: "a_slip" "a_(k i)" M_PER_S2 / M_PER_S2, "Mean horizontal acceleration of the head in such a start.", "[Ports001, 5.6]";
     T_LIM: "T_lim" "T_u" N_M / N_M, "Greatest torque that the inverter lets the motor give.", "[Ports001, 5.6]";

@@ -32,12 +32,13 @@ use crate::luffing::resistances::friction::{Pins, Rubbed};
 use crate::luffing::resistances::given::{
     Case, CaseBody, CaseBrake, CaseHold, CaseMotor, CasePin, CasesChoice, InverterStart, SecondBrake, SlipStart,
 };
+use crate::luffing::resistances::inverter::Ramped;
 use crate::luffing::resistances::loads::Loads;
 use crate::luffing::resistances::moments::Resisted;
 use crate::luffing::resistances::motor::{Heating, Motored};
 use crate::luffing::resistances::outline::WHOLE;
 use crate::luffing::resistances::placed::{MovedBars, Weighty};
-use crate::luffing::resistances::starts::{Ramped, Slipped};
+use crate::luffing::resistances::starts::Slipped;
 use crate::luffing::resistances::sums::Sums;
 use crate::luffing::resistances::told::resists;
 use crate::luffing::rope::balancing::{analysed, balanced, balancing, criteria, residual};
