@@ -300,7 +300,7 @@ fn sway(standard: Option<&str>, case: &str, slewing: f64) -> Option<f64> {
 fn heating_wind(table: &Values, standard: Option<&str>, case: &str) -> Option<f64> {
     let (name, part) = HEATING_WIND;
     let asked = standard == Some(name) && case == "I";
-    let mut cases = table.tables("case").into_iter().filter(|_| asked);
+    let mut cases = table.tables("case").iter().filter(|_| asked);
     let work = cases.find(|case| case.words("name").is_some_and(|name| name.english() == "II"))?;
     work.number(s::P_W.id)
         .filter(|_| !work.has(s::V_W.id))
