@@ -354,3 +354,11 @@ def test_an_inverter_keeps_its_ramp_as_far_as_its_torque_allows(tmp_path):
                 assert at[f"t_inv[{number}]"] == pytest.approx(time, rel=1e-12)
                 assert at[f"T_ramp[{number}]"] == pytest.approx(t_0 + momentum / ramp, rel=1e-9)
     assert seen == {True, False}
+
+
+def test_a_standard_gives_a_part_of_the_wind_at_work_for_the_motors_heating(tmp_path):
+    scene = scene_of(tmp_path, "portal_004_drive", ('p_w     = "-75 Pa"            # wind, from the front\n', ""),
+                     ("[[cases.case]]\nname    = \"I\"\n", "standard = \"GB/T 3811\"\n\n[[cases.case]]\nname    = \"I\"\n"))
+    at = table(scene)[62.0]
+    # 0.6 of case II's 250 Pa; the moment is proportional to the pressure.
+    assert at["M_r_wind[1]"] == pytest.approx(0.6 * at["M_r_wind[2]"], rel=1e-12)
