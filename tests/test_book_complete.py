@@ -81,9 +81,9 @@ def given(text):
 
 
 def tabled(text, caption):
-    """The symbols of the first column of a table, if the book has it."""
-    found = re.search(rf"(?s)#titled\(\d+\)\[{caption}\]\n(.*?)\n\)\n", text)
-    return set(re.findall(r"(?m)^  \[\$(.*?)\$\], \[", found[1])) if found else set()
+    """The symbols of the first columns of all tables of a caption, as far as the book has any."""
+    tables = re.findall(rf"(?s)#titled\(\d+\)\[{caption}\]\n(.*?)\n\)\n", text)
+    return {name for table in tables for name in re.findall(r"(?m)^  \[\$(.*?)\$\], \[", table)}
 
 
 @pytest.mark.parametrize("level", ["standard", "full"])

@@ -18,8 +18,9 @@ with open(ROOT / "tests/oracles/luffing_resistances.csv", encoding="utf-8") as f
 
 
 def table(scene):
-    """Columns without their units, in SI, by the angle in degrees."""
-    rows = list(csv.reader(io.StringIO(lemnis("check", ROOT / f"models/scenes/{scene}.toml", "--csv"))))
+    """Columns without their units, in SI, by the angle in degrees; of a ready scene by its name."""
+    path = ROOT / f"models/scenes/{scene}.toml" if isinstance(scene, str) else scene
+    rows = list(csv.reader(io.StringIO(lemnis("check", path, "--csv"))))
     names, units = zip(*(head[:-1].split(" [") for head in rows[0]))
     scale = [1e3 if unit.startswith("kN") else 1.0 for unit in units]
     return {float(row[0]): {name: float(x) * by for name, x, by in zip(names, row, scale) if x} for row in rows[1:]}
@@ -212,3 +213,152 @@ def test_a_stop_in_closed_form_is_near_that_of_the_moving_mechanism():
         drive, t = drive + step * speed * arm, t + step
     assert at["t_stop[2]"] == pytest.approx(t, rel=0.02)
     assert at["s_stop[2]"] == pytest.approx(drive * 1e3, rel=0.02)
+
+
+def scene_of(tmp_path, name, *changes):
+    """A ready scene with some of its text changed."""
+    text = (ROOT / f"models/scenes/{name}.toml").read_text(encoding="utf-8")
+    for old, new in changes:
+        assert text.count(old) == 1, old
+        text = text.replace(old, new)
+    path = tmp_path / "scene.toml"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+@pytest.mark.parametrize("arm", [11.05, 8.4])
+def test_unbalanced_moments_are_the_travels_of_their_forces(tmp_path, arm):
+    """Of the publication's eight each force times the travel of its point, which the oracle finds by differences; the rocker
+    by half at the jib's tail, and as it is."""
+    scene = scene_of(tmp_path, "portal_004_drive", ('s_3   = "11.05 m"', f's_3 = "{arm} m"'), ('s_w = "11.05 m"', 's_w = "9 m"'),
+                     ('dM_max    = "100 kN.m"', 'dM_max = "300 kN.m"'))
+    found, crane = table(scene), oracle.DoubleLink()
+    boom, jib, rocker, _ = crane.bodies
+    place = lambda body, at: lambda x: crane.placed(x)[body][0] + at * crane.placed(x)[body][1]
+    travel = lambda f, phi: oracle.first(f, oracle.mpf(phi))
+    up, out = lambda f: lambda x: oracle.im(f(x)), lambda f: lambda x: oracle.re(f(x))
+    tail = place(2, crane.rocker)
+    for degrees in [float(x) for x in crane.turned[::3]]:
+        at, phi = found[degrees], radians(degrees)
+        weigh = lambda weight, f: -float(weight * travel(up(f), phi))
+        g = oracle.G
+        expected = {
+            "M_u_tie": weigh(rocker.mass * g / 2, tail),
+            "M_x_tie": weigh(rocker.mass * g, place(2, oracle.mpf(arm))),
+            "M_u_trunk": weigh(jib.mass * g, place(1, jib.centre)),
+            "M_u_boom": weigh(boom.mass * g, place(0, boom.centre)),
+        }
+        expected |= {"M_x_trunk": expected["M_u_trunk"], "M_x_boom": expected["M_u_boom"]}
+        for number, case in enumerate(oracle.CASES.values(), 1):
+            share, sway, pressure = (oracle.mpf(x) for x in case[:3])
+            push = lambda area, f: float(pressure * area * travel(out(f), phi))
+            head = place(1, crane.head)
+            one = {
+                "M_u_load": weigh(share * crane.load, head),
+                "M_u_rope": float(share * crane.load * oracle.tan(oracle.rad(sway)) * travel(out(head), phi)),
+                "M_u_tie_wind": push(rocker.area / 2, tail),
+                "M_x_tie_wind": push(rocker.area, place(2, oracle.mpf(9))),
+                "M_u_trunk_wind": push(jib.area, place(1, jib.middle)),
+                "M_u_boom_wind": push(boom.area, place(0, boom.middle)),
+            }
+            one |= {"M_x_trunk_wind": one["M_u_trunk_wind"], "M_x_boom_wind": one["M_u_boom_wind"]}
+            expected |= {f"{name}[{number}]": value for name, value in one.items()}
+        for name, value in expected.items():
+            assert abs(at[name] - value) <= 1e-12 * max(abs(value), 1e3), (degrees, name, at[name], value)
+
+
+def test_coefficients_are_those_of_the_greatest_moments(tmp_path):
+    path = ROOT / "models/scenes/portal_004_drive.toml"
+    found, crane = json.loads(lemnis("check", path, "--json")), oracle.DoubleLink()
+    phi = [radians(x) for x in range(44, 83)]
+    hangs = lambda x: crane.hangs(x)[0]
+    rise = max(abs(float(oracle.first(lambda x: oracle.im(hangs(x)), oracle.mpf(x)))) for x in phi)
+    reach = max(float(oracle.re(hangs(oracle.mpf(x)))) for x in phi)
+    # Both are greatest at an end of the range.
+    assert found["summary"]["C_Q"]["value"] == pytest.approx(rise / reach, rel=1e-11)
+    at = table("portal_004_drive")
+    own, alone = ([abs(row[name]) for row in at.values()] for name in ("dM", "M_G"))
+    assert found["summary"]["C_G"]["value"] == pytest.approx(max(own) / max(alone), rel=1e-11)
+
+
+MOTOR = 'n_N      = "970 1/min"'
+FASTER = [(MOTOR, 'n_N = "1460 1/min"'), ('P_N      = "7.5 kW"', 'P_N = "30 kW"')]
+
+
+def start(kind, **keys):
+    lines = "".join(f'{key} = "{value}"\n' for key, value in keys.items())
+    return ("[cases.brake]               # soft", f'[cases.start]\nkind = "{kind}"\n{lines}\n[cases.brake]')
+
+
+def test_a_start_along_the_slip_curve_is_that_of_the_integral_and_of_its_closed_form(tmp_path):
+    mp = oracle.mp
+    scene = scene_of(tmp_path, "portal_004_drive", *FASTER, start("slip", lambda_bd="2.6", n_0="1500 1/min"))
+    found, rated = table(scene), 30e3 / (2 * pi * 1460 / 60)
+    slip_n = 1 - 1460 / 1500
+    s_k = slip_n * (2.6 + sqrt(2.6**2 - 1))
+    signs = set()
+    for degrees, at in found.items():
+        for number, v in ((1, -0.05), (2, 0.06)):
+            s_f, t_0, inertia = 1 - abs(v) / 0.0031 / (1500 / 60), at[f"T_0[{number}]"], at[f"J_t[{number}]"]
+            torque = lambda s: 2 * 2.6 * rated / (s / s_k + s_k / s)
+            ends = [s_f, s_k, 1] if s_f < s_k else [s_f, 1]
+            integral = mp.quad(lambda s: 1 / (torque(s) - t_0), ends)
+            time = float(integral) * inertia * 2 * pi * 1500 / 60
+            # Partial fractions of (s² + s_k²) / (2 T_k s_k s − T_0 (s² + s_k²)).
+            w = mp.mpf(t_0) / (2.6 * rated)
+            root = mp.sqrt(1 - w * w)
+            low, high = s_k * (1 - root) / w, s_k * (1 + root) / w
+            part = lambda s: s + ((high**2 + s_k**2) * mp.log(abs(s - high)) - (low**2 + s_k**2) * mp.log(abs(s - low))) / (high - low)
+            closed = -float((part(mp.mpf(1)) - part(mp.mpf(s_f))) / t_0) * inertia * 2 * pi * 1500 / 60
+            assert closed == pytest.approx(time, rel=1e-12)
+            assert at[f"t_slip[{number}]"] == pytest.approx(time, rel=1e-11), (degrees, number)
+            assert at[f"s_f[{number}]"] == pytest.approx(s_f, rel=1e-12)
+            signs.add(t_0 > 0)
+    assert signs == {True, False}
+
+
+def test_a_start_along_the_slip_curve_is_that_of_an_integration_in_time(tmp_path):
+    from scipy.integrate import solve_ivp
+
+    scene = scene_of(tmp_path, "portal_004_drive", *FASTER, start("slip", lambda_bd="2.6", n_0="1500 1/min"))
+    at, rated = table(scene)[62.0], 30e3 / (2 * pi * 1460 / 60)
+    s_k, full = (1 - 1460 / 1500) * (2.6 + sqrt(2.6**2 - 1)), 2 * pi * 1500 / 60
+
+    def speeds_up(t, y):
+        slip = 1 - y[0] / full
+        return [(2 * 2.6 * rated / (slip / s_k + s_k / slip) - at["T_0[2]"]) / at["J_t[2]"]]
+
+    reached = lambda t, y: y[0] - 2 * pi * 0.06 / 0.0031
+    reached.terminal = True
+    run = solve_ivp(speeds_up, [0, 100], [0.0], events=reached, rtol=1e-11, atol=1e-11)
+    assert at["t_slip[2]"] == pytest.approx(run.t_events[0][0], rel=1e-9)
+
+
+def test_a_start_of_an_inertia_alone_has_a_closed_form():
+    """That which the book prints of the integral."""
+    mp = oracle.mp
+    for s_k, s_f in ((0.1, 0.02), (0.3, 0.4), (0.05, 0.9)):
+        integral = mp.quad(lambda s: (s / s_k + s_k / s) / 2, [s_f, 1])
+        assert float(integral) == pytest.approx(((1 - s_f**2) / (2 * s_k) + s_k * float(mp.log(1 / s_f))) / 2, rel=1e-13)
+
+
+def test_an_inverter_keeps_its_ramp_as_far_as_its_torque_allows(tmp_path):
+    rated, seen = 30e3 / (2 * pi * 1460 / 60), set()
+    for ramp, limit in ((0.02, 1.5), (4.0, 1.5)):
+        found = table(scene_of(tmp_path, "portal_004_drive", *FASTER, start("inverter", t_r=f"{ramp} s", lambda_inv=limit)))
+        for at in found.values():
+            for number, v in ((1, 0.05), (2, 0.06)):
+                momentum, t_0 = at[f"J_t[{number}]"] * 2 * pi * v / 0.0031, at[f"T_0[{number}]"]
+                time = max(ramp, momentum / (limit * rated - t_0))
+                seen.add(time > ramp)
+                assert at[f"t_inv[{number}]"] == pytest.approx(time, rel=1e-12)
+                assert at[f"T_ramp[{number}]"] == pytest.approx(t_0 + momentum / ramp, rel=1e-9)
+    assert seen == {True, False}
+
+
+def test_a_standard_gives_a_part_of_the_wind_at_work_for_the_motors_heating(tmp_path):
+    scene = scene_of(tmp_path, "portal_004_drive", ('p_w     = "-75 Pa"            # wind, from the front\n', ""),
+                     ("[[cases.case]]\nname    = \"I\"\n", "standard = \"GB/T 3811\"\n\n[[cases.case]]\nname    = \"I\"\n"))
+    at = table(scene)[62.0]
+    # 0.6 of case II's 250 Pa; the moment is proportional to the pressure.
+    assert at["M_r_wind[1]"] == pytest.approx(0.6 * at["M_r_wind[2]"], rel=1e-12)

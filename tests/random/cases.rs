@@ -88,6 +88,28 @@ fn sizes(c: &mut Node, parts: &CaseParts, drive: Option<&(String, bool, f64, f64
     }
 }
 
+/// A start of one kind, with what belongs to it: of a motor that is faster than any case, and stronger still.
+fn start(c: &mut Node) {
+    let Some(mut start) = c.child("start") else { return };
+    let slips = start.draw.coin(0.5);
+    start.put("kind", if slips { "slip" } else { "inverter" });
+    for (name, of_slip, least, most) in [
+        ("lambda_bd", true, 1.5, 9.0),
+        ("n_0", true, 1e9, 9e9),
+        ("t_r", false, 0.1, 9.0),
+        ("lambda_inv", false, 1.0, 9.0),
+    ] {
+        start.keep(name, slips == of_slip);
+        if slips == of_slip {
+            let value = start.draw.between(least, most);
+            start.set(name, value);
+        }
+    }
+    if let Some(mut motor) = c.child("motor") {
+        motor.set("P_N", 1e24);
+    }
+}
+
 /// Cases, or none.
 fn all(n: &mut Node, parts: &CaseParts) {
     let behind = n.child("balance").map(|balance| {
@@ -122,7 +144,7 @@ fn all(n: &mut Node, parts: &CaseParts) {
     c.keep("c_air", true);
     // A motor and brakes that are strong enough for a drive that nearly points at the foot of its bar.
     if !c.has("motor") {
-        c.remove(&["brake"]);
+        c.remove(&["brake", "start"]);
     }
     let brakes = c.has("brake");
     if !brakes {
@@ -143,6 +165,7 @@ fn all(n: &mut Node, parts: &CaseParts) {
         let travel = motor.draw.between(1e-4, 1e-3);
         motor.set("l_M", travel);
     }
+    start(&mut c);
     let first = c.child("brake").map(|mut brake| {
         brake.set("T_b", 9e17);
         brake.get("tau_b")

@@ -216,6 +216,8 @@ pub struct CasesSheet {
     pub worked: Vec<WorkedCase>,
     /// Greatest by amount of each result, with its place: of one that is the same in all cases once.
     pub greatest: Vec<Vec<Summary>>,
+    /// The same of moments in a publication's form and of the exact ones.
+    pub beside: Vec<Vec<Summary>>,
     /// Over the working range, for each case: id of the caption, number of the case from 0, and the results.
     pub ranges: Vec<(&'static str, usize, Table)>,
     pub curves: Vec<Curve>,

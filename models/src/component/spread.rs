@@ -46,7 +46,7 @@ impl Spread {
         };
         let of = slot(whole.of)?;
         let per = match whole.how {
-            How::Ratio(per) | How::Mean(per) | How::RootMean(per) => Some(slot(per)?),
+            How::Ratio(per) | How::Share(per) | How::Mean(per) | How::RootMean(per) => Some(slot(per)?),
             _ => None,
         };
         let with = match whole.how {
@@ -163,6 +163,13 @@ impl Spread {
                         extreme(per, -1.0)?,
                     ];
                 }
+                How::Share(_) => {
+                    let mut farthest = |slot: &Slot| {
+                        let found = greatest(motion, &mut |at| row(slot, at).map(|value| value.abs()))?;
+                        Some(found.at)
+                    };
+                    at[..2].copy_from_slice(&[farthest(&self.of)?, farthest(self.per.as_ref()?)?]);
+                }
                 How::Integral | How::Mean(_) | How::RootMean(_) => at[..2].copy_from_slice(&[motion.from, motion.to]),
                 How::Vanishes(_) => at[..2].copy_from_slice(&vanishes(motion.from, |at| row(&self.of, at))),
             }
@@ -202,6 +209,7 @@ impl Spread {
             Ok(match (self.how, &self.per) {
                 (How::Swing, _) => row(&self.of, a)? - row(&self.of, b)?,
                 (How::Ratio(_), Some(per)) => (row(&self.of, a)? - row(&self.of, b)?) / (row(per, c)? - row(per, d)?),
+                (How::Share(_), Some(per)) => row(&self.of, a)?.abs() / row(per, b)?.abs(),
                 // A step of Newton's method carries the derivatives.
                 (How::Vanishes(_), _) if a.is_finite() => C::constant(a) - row(&self.of, a)? / C::constant(b),
                 (How::Vanishes(_), _) => C::constant(a),

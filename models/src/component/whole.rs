@@ -18,6 +18,8 @@ pub enum How {
     Swing,
     /// That over the swing of another one.
     Ratio(&'static Symbol),
+    /// Greatest by amount, over the greatest amount of another one.
+    Share(&'static Symbol),
     /// Integral over the coordinate.
     Integral,
     /// Mean and root of the mean square, each place of the coordinate having the weight of another result there.

@@ -10,6 +10,8 @@ macro_rules! at_rest {
             rubbing: $cases.pins.clone(),
             air: $cases.air,
             driver: $cases.motor,
+            slip: $cases.slip,
+            inverter: $cases.inverter,
             brake: $cases.brake,
             second: $cases.second,
             holds: $cases.holds.clone(),

@@ -18,6 +18,7 @@ pub(super) struct Cases {
     worked: Vec<Worked>,
     /// A row for each result, a cell for each case; one for all where it is the same in all.
     greatest: Vec<Extremes>,
+    beside: Vec<Extremes>,
     ranges: Vec<OfCase>,
     curves: Vec<Figure>,
 }
@@ -119,7 +120,11 @@ impl Cases {
             .flat_map(|worked| &worked.taken)
             .map(|(symbol, _)| *symbol);
         let given = cases.given.columns.iter().copied();
-        let greatest = cases.greatest.iter().filter_map(|row| Some(row.first()?.symbol));
+        let greatest = cases
+            .greatest
+            .iter()
+            .chain(&cases.beside)
+            .filter_map(|row| Some(row.first()?.symbol));
         let coefficients = cases.unconfirmed.iter().map(|(symbol, ..)| *symbol);
         for symbol in drawn
             .chain(terms)
@@ -146,6 +151,15 @@ impl Cases {
                 .map(|(symbol, at)| numbers.result(symbol, at));
             (numbers.result(found.symbol, found.value), place)
         };
+        let extremes = |all: &[Vec<sheet::Summary>]| {
+            let row = |row: &Vec<sheet::Summary>| {
+                Some(Extremes {
+                    quantity: row.first()?.symbol.into(),
+                    cells: row.iter().map(cell).collect(),
+                })
+            };
+            all.iter().filter_map(row).collect()
+        };
         Some(Cases {
             names: (0..cases.names.len()).map(name).collect(),
             given: cases.given.columns.iter().enumerate().map(row).collect(),
@@ -158,14 +172,8 @@ impl Cases {
                 })
                 .collect(),
             worked,
-            greatest: (cases.greatest.iter())
-                .filter_map(|row| {
-                    Some(Extremes {
-                        quantity: row.first()?.symbol.into(),
-                        cells: row.iter().map(cell).collect(),
-                    })
-                })
-                .collect(),
+            greatest: extremes(&cases.greatest),
+            beside: extremes(&cases.beside),
             ranges: (cases.ranges.iter())
                 .map(|(id, case, table)| OfCase {
                     id,

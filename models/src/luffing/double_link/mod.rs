@@ -32,6 +32,7 @@
 //! | `lemniscate.governing` | [`crate::component::governing::governing`] | derived |
 //! | `lemniscate.sensitivity` | [`crate::component::sensitivity::sensitivity`] | derived |
 //! | `lemniscate.resistances` | [`resisting::moved`], [`resisting::pins`] | [`crate::luffing::resistances`] |
+//! | `lemniscate.unbalanced` | [`unbalanced::Unbalanced::new`], [`unbalanced::UnbalancedCase::new`] | Ports001, 5.10.3 |
 //! | `lemniscate.published` | [`published::PublishedFormulas::new`] | Li2022, eq. 1, 4-7 |
 
 pub mod balancing;
@@ -61,4 +62,5 @@ pub mod stages;
 pub mod statics;
 pub mod symbols;
 pub mod system;
+pub mod unbalanced;
 pub mod velocity;

@@ -15,6 +15,8 @@ use crate::luffing::double_link::moving::symbols as m;
 use crate::luffing::double_link::symbols as s;
 use crate::luffing::moving::control::{self, SETTINGS};
 use crate::luffing::resistances::outline::{EXTREMES, LIMITS, SUMMARY, USES};
+use crate::luffing::resistances::symbols::{M_R_SUM, P_I};
+use crate::luffing::strength::outline::WorkedOutline;
 use crate::luffing::{resistances, strength};
 use crate::parts::hydraulics::symbols as h;
 use crate::parts::{air, ground, hanging, hydraulics, motor, shaping, teeth, turntable, turntable_control};
@@ -53,7 +55,7 @@ pub const FOLLOWED: &[&Symbol] = &[
 pub const OUTLINE: Outline = Outline {
     inputs: chapters! {
         geometry "", weights, drive, balance, load "Q", motion, moving "dynamics", luffing_control "control", hoisting, hoisting_control "hoisting.control", air, ground, slewing, slewing_control "slewing.control", oil "hydraulics",
-        cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_brake "cases.brake", case_second_brake "cases.second_brake",
+        cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_start "cases.start", case_brake "cases.brake", case_second_brake "cases.second_brake",
         case_buckling "cases.buckling", case_teeth "cases.teeth", case_nut "cases.nut", case_pin_sizes "cases.pin_size", limits
     },
     constants: &[
@@ -101,8 +103,16 @@ pub const OUTLINE: Outline = Outline {
         ],
         EXTREMES,
     ),
-    summary: &joined::<_, 5, 6, 11>(
-        [&s::DELTA_Y, &s::EPSILON_Y, &d::LAMBDA_D, &d::RHO_D, &d::LOCK_D],
+    summary: &joined::<_, 7, 6, 13>(
+        [
+            &s::DELTA_Y,
+            &s::EPSILON_Y,
+            &s::C_Q,
+            &s::C_G,
+            &d::LAMBDA_D,
+            &d::RHO_D,
+            &d::LOCK_D,
+        ],
         SUMMARY,
     ),
     sensitivity: &[
@@ -176,3 +186,20 @@ pub const VOCABULARY: Vocabulary = Vocabulary {
     ],
     shared: &[],
 };
+
+/// Its unbalanced moments, each that has an exact one of its own before that.
+pub const SIDE_BY_SIDE: &[&Symbol] = listed!(s:
+    M_U_LOAD, M_U_ROPE, M_U_TIE, M_X_TIE, M_U_TRUNK, M_X_TRUNK, M_U_TIE_WIND, M_X_TIE_WIND, M_U_TRUNK_WIND, M_X_TRUNK_WIND,
+    M_U_BOOM_WIND, M_X_BOOM_WIND, M_U_BOOM, M_X_BOOM
+);
+
+/// How they are worked out where the sum of the case is greatest.
+pub const UNBALANCED: &[WorkedOutline] = &[(
+    "worked_unbalanced",
+    &M_R_SUM,
+    &[
+        ("unbalanced_weights", &[Stage("unbalanced")]),
+        ("unbalanced_case", &[Stage("unbalanced_case")]),
+    ],
+    &[&P_I, &s::W_UL, &s::W_UX, &s::S_UX, &s::S_UB],
+)];

@@ -29,6 +29,7 @@ use crate::luffing::double_link::held::{Carried, Held, Passes};
 use crate::luffing::double_link::linkage::HeavyLinkage;
 use crate::luffing::double_link::moving::built::{CraneParts, Inertias};
 use crate::luffing::double_link::moving::motion::{self, CraneForces, LinkRates, RATES};
+use crate::luffing::double_link::outline;
 use crate::luffing::double_link::parameters::{Choice, Driven, Jib, Lengths, Parameters, Weights};
 use crate::luffing::double_link::pole::Pole;
 use crate::luffing::double_link::position::Position;
@@ -36,6 +37,7 @@ use crate::luffing::double_link::published::PublishedFormulas;
 use crate::luffing::double_link::resisting::{self, LinkPlaces};
 use crate::luffing::double_link::statics::{LoadMoment, Own, by_pole};
 use crate::luffing::double_link::symbols as g;
+use crate::luffing::double_link::unbalanced::{Unbalanced, UnbalancedCase};
 use crate::luffing::double_link::velocity::Velocity;
 use crate::luffing::moving::fragments::{coordinate, plant, pulled, remembered, surrounded, told};
 use crate::luffing::moving::given::{CylinderOil, Fitted};
@@ -48,6 +50,7 @@ use crate::luffing::moving::stages::{
 };
 use crate::luffing::resistances::fragments::{cases, chosen, resisted, sheared};
 use crate::luffing::resistances::outline::WHOLE;
+use crate::luffing::resistances::symbols::M_R_OWN;
 use crate::luffing::resistances::told::resists;
 use crate::luffing::strength::fragments::{strong, strong_parts};
 use crate::luffing::with_balance::with_balance;
@@ -117,6 +120,8 @@ composed! {
         mounted: Mounted<C> = Mounted::new(mount[!], rod, crank[?]) => _;
         places: LinkPlaces<C> = LinkPlaces::new(geometry, weights[!], balancing[?], mounted) => _;
         ..resisted(theta, drive, position, drive, residual[?]);
+        unbalanced: Unbalanced<C> = Unbalanced::new(position, velocity, weights[!], own, moved, bodies, chosen[!]);
+        unbalanced_case[each cases]: Vec<UnbalancedCase<C>> = UnbalancedCase::new(unbalanced, load[!], cases[each], resisted[each]);
         ..strong();
         ..sheared();
         parameters: Parameters<C> = parameters(lengths, jib, weights, mount, cylinder, balance, choice) => _;
@@ -144,7 +149,7 @@ composed! {
 
 luffs!(DoubleLink by theta, omega with motor, turning, oil, oil_parts);
 
-resists!(DoubleLink with resisting::PARTS);
+resists!(DoubleLink with resisting::PARTS, beside outline::SIDE_BY_SIDE, worked outline::UNBALANCED);
 
 said! { DoubleLink: Said {
     bar: [&[&s::THETA_1, &s::OMEGA_1, &s::THETA_3, &s::OMEGA_3], &RATES],
@@ -157,13 +162,15 @@ said! { DoubleLink: Said {
 impl Component for DoubleLink {
     luffing_component!(position);
 
-    const WHOLE: &'static [Whole] = &joined::<_, 5, 4, 9>(
+    const WHOLE: &'static [Whole] = &joined::<_, 7, 4, 11>(
         [
             Whole::new(&s::DELTA_Y, How::Swing, &s::A_Y),
             Whole::new(&s::EPSILON_Y, How::Ratio(&s::R), &s::A_Y),
             Whole::new(&s::R_MAX, How::Greatest, &s::R),
             Whole::new(&s::R_MIN, How::Least, &s::R),
             Whole::new(&s::MU_MIN, How::Least, &s::MU),
+            Whole::new(&s::C_Q, How::Share(&s::R), &s::E_Q),
+            Whole::new(&s::C_G, How::Share(&s::M_G), &M_R_OWN),
         ],
         WHOLE,
     );
@@ -192,6 +199,7 @@ impl Component for DoubleLink {
             && (!of_balance.contains(&symbol) || given.balance.is_some())
             && line::has(given.mount.as_ref(), given.rod.is_some(), given.gear.as_ref(), symbol)
             && (symbol != &b::F_D_0 || given.mount.is_some())
+            && (symbol != &s::C_G || given.balance.is_some())
     }
 
     /// With its change points go the branches of a linkage.

@@ -138,4 +138,27 @@ symbols! {
     ALPHA_LI: "alpha.Li" "alpha" RAD / DEG, "Angle of the front arm by the law of cosines.", "[Li2022, eq. 6]";
     ALPHA_1_LI: "alpha_1.Li" "alpha_1" RAD / DEG, "Angle of the jib's axis by the law of cosines.", "[Li2022, eq. 7]";
     O1P_LI: "O1P.Li" "overline(O_1 P)" M / M, "Distance of the instantaneous centre from O1.", "[Li2022, eq. 1]";
+
+    // The publication's unbalanced moments, beside the exact ones.
+    M_U_LOAD: "M_u_load" "M_(\"u\" Q i)" N_M / KN_M, "Unbalanced moment of the load, which does not move level, by the ratios of angular velocities, for one radian of the luffing angle; positive raises the boom.", "[Ports001, 5.10.3.1]";
+    M_U_ROPE: "M_u_rope" "M_(\"u\" T i)" N_M / KN_M, "Unbalanced moment of the swaying rope's horizontal pull, by the ratios of angular velocities, for one radian of the luffing angle; positive raises the boom.", "[Ports001, 5.10.3.2]";
+    M_U_TIE: "M_u_tie" "M_(\"u\" l)" N_M / KN_M, "Unbalanced moment of half the rocker's weight at the jib's tail, for one radian of the luffing angle; positive raises the boom.", "[Ports001, 5.10.3.3]";
+    M_U_TRUNK: "M_u_trunk" "M_(\"u\" x)" N_M / KN_M, "Unbalanced moment of the jib's weight, by the ratios of angular velocities, for one radian of the luffing angle; positive raises the boom.", "[Ports001, 5.10.3.4]";
+    M_U_TIE_WIND: "M_u_tie_wind" "M_(\"u\" w l i)" N_M / KN_M, "Unbalanced moment of half the wind on the rocker at the jib's tail, for one radian of the luffing angle; positive raises the boom.", "[Ports001, 5.10.3.5]";
+    M_U_TRUNK_WIND: "M_u_trunk_wind" "M_(\"u\" w x i)" N_M / KN_M, "Unbalanced moment of the wind on the jib, by the ratios of angular velocities, for one radian of the luffing angle; positive raises the boom.", "[Ports001, 5.10.3.6]";
+    M_U_BOOM_WIND: "M_u_boom_wind" "M_(\"u\" w b i)" N_M / KN_M, "Unbalanced moment of the wind on the boom, by the ratios of angular velocities, for one radian of the luffing angle; positive raises the boom.", "[Ports001, 5.10.3.7]";
+    M_U_BOOM: "M_u_boom" "M_(\"u\" b)" N_M / KN_M, "Unbalanced moment of the boom's weight, by the ratios of angular velocities, for one radian of the luffing angle; positive raises the boom.", "[Ports001, 5.10.3.8]";
+    M_X_TIE: "M_x_tie" "M_(l)" N_M / KN_M, "Moment of the rocker's weight as it is distributed, for one radian of the luffing angle; positive raises the boom.", "virtual work";
+    M_X_TRUNK: "M_x_trunk" "M_(x)" N_M / KN_M, "Moment of the jib's weight by derivatives of its height, for one radian of the luffing angle; positive raises the boom.", "virtual work";
+    M_X_TIE_WIND: "M_x_tie_wind" "M_(w l i)" N_M / KN_M, "Moment of the wind on the rocker in the centres of its areas, for one radian of the luffing angle; positive raises the boom.", "virtual work";
+    M_X_TRUNK_WIND: "M_x_trunk_wind" "M_(w x i)" N_M / KN_M, "Moment of the wind on the jib by derivatives of its places, for one radian of the luffing angle; positive raises the boom.", "virtual work";
+    M_X_BOOM_WIND: "M_x_boom_wind" "M_(w b i)" N_M / KN_M, "Moment of the wind on the boom by derivatives of its places, for one radian of the luffing angle; positive raises the boom.", "virtual work";
+    M_X_BOOM: "M_x_boom" "M_(b)" N_M / KN_M, "Moment of the boom's weight by derivatives of its height, for one radian of the luffing angle; positive raises the boom.", "virtual work";
+    W_UL: "W_ul" "W_l" M2 / M2 [not_negative], "Areas of the rocker times drag coefficients.", "virtual work";
+    W_UX: "W_ux" "W_x" M2 / M2 [not_negative], "Areas of the jib times drag coefficients.", "virtual work";
+    S_UX: "S_ux" "S_x" M3 / M3, "These times the heights of their centres above the boom's head.", "virtual work";
+    S_UB: "S_ub" "S_b" M3 / M3, "Areas of the boom times drag coefficients and the heights of their centres above its foot.", "virtual work";
+    E_Q: "e_Q" "e_Q" M / M, "Rise of the load for one radian of the luffing angle: its unbalanced moment over its weight.", "[Ports001, 5.10.2.2]";
+    C_Q: "C_Q" "C_Q" ONE / PERCENT [not_negative], "Coefficient of the load's unbalanced moment: its greatest amount over the load and the greatest reach.", "[Ports001, 5.10.2.2]";
+    C_G: "C_G" "C_G" ONE / PERCENT [not_negative], "Coefficient of the unbalanced moment of own weights: its greatest amount with the counterweight over that without.", "[Ports001, 5.10.5.3]";
 }

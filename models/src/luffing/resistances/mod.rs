@@ -16,19 +16,23 @@
 //! | `resistances.loads` | [`loads::Loads::new`] | Newton and Euler |
 //! | `resistances.friction` | [`friction::Rubbed::new`] | by virtual work, pins by equilibrium |
 //! | `resistances.motor` | [`motor::Motored::new`] | Ports001, 5.6 |
+//! | `resistances.starts` | [`starts::Slipped::new`], [`inverter::Ramped::new`] | Ports001, 5.6; Kloss |
 //! | `resistances.brakes` | [`brakes::Holding::new`], [`brakes::Stopped::new`] | Ports001, 5.7 |
 
+mod able;
 pub mod brakes;
 pub mod checks;
 pub mod fragments;
 pub mod friction;
 pub mod given;
+pub mod inverter;
 pub mod loads;
 pub mod moments;
 pub mod motor;
 pub mod outline;
 pub mod placed;
 pub mod scene;
+pub mod starts;
 pub mod sums;
 pub mod symbols;
 pub mod told;

@@ -49,7 +49,8 @@ pub struct Motored<C> {
     both: C,
     /// Of steady motion, positive against it.
     pub against: C,
-    inertia: C,
+    /// Of all that a start accelerates, in kg·m².
+    pub inertia: C,
     time: C,
     quickens: C,
 }

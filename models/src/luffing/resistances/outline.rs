@@ -12,6 +12,8 @@ use crate::luffing::strength::outline::WorkedOutline;
 /// What formulas of motor and brakes take from places and bodies, and what from the moments of the case.
 pub const MOVED: &[&Symbol] = listed!(s: DS_S, DX_H, J_R);
 const RESISTED: &[&Symbol] = listed!(s: DS_S, DX_H, J_R, M_R_INERTIA, M_R_FRICTION, M_R_SUM, F_R);
+/// The same with the integral of a start along the slip curve.
+const STARTED: &[&Symbol] = listed!(s: DS_S, DX_H, J_R, M_R_INERTIA, M_R_FRICTION, M_R_SUM, F_R, I_S);
 
 /// What is worked out, each for the case and at the place in which a result is greatest by amount: id of the words, that
 /// result, the formulas, and what they take from elsewhere; the first of them takes all of the bodies.
@@ -31,8 +33,12 @@ const OWN_WORKED: [WorkedOutline; 4] = [
     (
         "worked_motor",
         &s::P_M,
-        &[("resistances_motor", &[Stage("motored")])],
-        RESISTED,
+        &[
+            ("resistances_motor", &[Stage("motored")]),
+            ("resistances_slip", &[Stage("slipped")]),
+            ("resistances_inverter", &[Stage("ramped")]),
+        ],
+        STARTED,
     ),
     (
         "worked_holding",
@@ -104,7 +110,7 @@ pub const COLUMNS: &[&Symbol] = listed!(s:
 
 /// Of motor and brakes.
 pub const SHAFT_COLUMNS: &[&Symbol] = listed!(s:
-    T_M, P_M, U_M, T_0, T_START, A_START, T_H, T_K, T_STOP, S_STOP, A_STOP
+    T_M, P_M, U_M, T_0, T_START, A_START, T_SLIP, A_SLIP, T_INV, A_INV, T_H, T_K, T_STOP, S_STOP, A_STOP
 );
 
 /// With those of strength.

@@ -9,11 +9,11 @@ use crate::kernel::symbol::Symbol;
 use crate::kernel::text::Text;
 use crate::luffing::resistances::friction::OF_BALANCE;
 use crate::luffing::resistances::given::{
-    Case, CaseBody, CaseBrake, CaseHold, CaseMotor, CasePin, CasesChoice, SecondBrake,
+    Case, CaseBody, CaseBrake, CaseHold, CaseMotor, CasePin, CasesChoice, InverterStart, SecondBrake, SlipStart,
 };
 use crate::luffing::resistances::placed::BARS;
 use crate::luffing::resistances::symbols as s;
-use crate::luffing::resistances::train::{BRAKE, MOTOR, SECOND, Train, named};
+use crate::luffing::resistances::train::{BRAKE, MOTOR, SECOND, START, Train, named};
 use crate::luffing::strength::scene::{BUCKLING, NUT, PIN_SIZE, ROPE, Sizes, TEETH};
 
 /// The table `[cases]`, also beside the mechanism.
@@ -22,6 +22,9 @@ pub const CASES: Key = Key::part(
     KEYS,
     "Cases, in each of which the drive must overcome all that acts.",
 );
+
+/// Part of the wind at work, case II, that heats the motor by a standard that gives it.
+const HEATING_WIND: (&str, f64) = (NAMES[0], 0.6);
 
 /// Standards, each with the pressure of the wind over the square of its speed, in kg/m³.
 const STANDARDS: [(&str, f64); 3] = [("GB/T 3811", 0.625), ("FEM 1.001", 0.613), ("EN 13001", 0.625)];
@@ -33,7 +36,7 @@ static KEYS: &[Key] = keys! { s:
     Key::new("case", Kind::Tables(CASE, 12), "The cases: I for heating and fatigue, II the greatest at work, III out of service, or others."),
     Key::new("body", Kind::Tables(BODY, 24), "The bodies' inertias, and the areas that the wind meets."),
     Key::new("pin", Kind::Tables(PIN, 16), "Pins that rub.").optional(),
-    MOTOR, BRAKE, SECOND, BUCKLING, TEETH, NUT, ROPE, PIN_SIZE
+    MOTOR, START, BRAKE, SECOND, BUCKLING, TEETH, NUT, ROPE, PIN_SIZE
 };
 
 static CASE: &[Key] = keys! { s:
@@ -67,6 +70,8 @@ pub struct Cases {
     pub pins: Vec<CasePin<f64>>,
     pub air: Option<One<f64>>,
     pub motor: Option<CaseMotor<f64>>,
+    pub slip: Option<SlipStart<f64>>,
+    pub inverter: Option<InverterStart<f64>>,
     pub brake: Option<CaseBrake<f64>>,
     pub second: Option<SecondBrake<f64>>,
     /// Of each case, where there are brakes.
@@ -117,11 +122,12 @@ impl Cases {
         read.take_pins(table, (&pins, parts.guide), found);
         read.take_air(table, standard, found);
         for case in table.tables("case") {
-            read.take_case(case, standard.map(|(name, _)| *name), found);
+            read.take_case((table, case), standard.map(|(name, _)| *name), found);
         }
         let train = Train::read(table, &read.names, found);
         read.choice().heating = train.heating;
         (read.motor, read.brake, read.second) = (train.motor, train.brake, train.second);
+        (read.slip, read.inverter) = (train.slip, train.inverter);
         read.holds = train.holds;
         if table.tables("case").is_empty() {
             found.push(table.refuse("case", "no case", "nothing to overcome", "add [[cases.case]]"));
@@ -215,7 +221,22 @@ impl Cases {
         self.air = Some(One(&s::C_AIR, known.unwrap_or(0.0)));
     }
 
-    fn take_case(&mut self, case: &Values, standard: Option<&'static str>, found: &mut Vec<Diagnostic>) {
+    /// Leaves a coefficient of the case that is being read to a standard.
+    fn leave(&mut self, symbol: &'static Symbol, value: f64, standard: &'static str) {
+        self.unconfirmed.push(Coefficient {
+            symbol,
+            number: Some(self.cases.len() as u16 + 1),
+            value,
+            standard,
+        });
+    }
+
+    fn take_case(
+        &mut self,
+        (table, case): (&Values, &Values),
+        standard: Option<&'static str>,
+        found: &mut Vec<Diagnostic>,
+    ) {
         let name = case.words("name").cloned().unwrap_or_default();
         if self.names.iter().any(|known| known.english() == name.english()) {
             let what = format!("two cases \"{}\"", name.english());
@@ -223,8 +244,16 @@ impl Cases {
         }
         let number = |symbol: &Symbol| case.number(symbol.id);
         let blown = self.bodies.iter().any(|body| body.area > 0.0);
-        if blown && number(&s::P_W).is_none() && number(&s::V_W).is_none() {
-            let what = format!("case \"{}\" has no wind, and bodies have areas", name.english());
+        let still = number(&s::P_W).is_none() && number(&s::V_W).is_none();
+        let wind = heating_wind(table, standard, name.english()).filter(|_| still && blown);
+        if let Some((value, standard)) = wind.zip(standard) {
+            self.leave(&s::P_W, value, standard);
+        }
+        if blown && still && wind.is_none() {
+            let lacks = standard.map_or(String::new(), |standard| {
+                format!(", which {standard} does not give here")
+            });
+            let what = format!("case \"{}\" has no wind{lacks}, and bodies have areas", name.english());
             found.push(case.refuse(
                 "name",
                 what,
@@ -236,13 +265,9 @@ impl Cases {
         let mut alpha = number(&s::ALPHA_S).or((!sways).then_some(0.0));
         if alpha.is_none() {
             alpha = sway(standard, name.english(), number(&s::N_S).unwrap_or(0.0));
-            self.unconfirmed
-                .extend(alpha.zip(standard).map(|(value, standard)| Coefficient {
-                    symbol: &s::ALPHA_S,
-                    number: Some(self.cases.len() as u16 + 1),
-                    value,
-                    standard,
-                }));
+            if let Some((value, standard)) = alpha.zip(standard) {
+                self.leave(&s::ALPHA_S, value, standard);
+            }
         }
         if alpha.is_none() {
             let what = match standard {
@@ -256,6 +281,7 @@ impl Cases {
         }
         let given = Case::of(|symbol| match symbol {
             symbol if symbol == &s::ALPHA_S => alpha,
+            symbol if symbol == &s::P_W => number(symbol).or(wind).or(Some(0.0)),
             symbol => Some(number(symbol).unwrap_or(0.0)),
         });
         self.cases.extend(given);
@@ -268,6 +294,17 @@ fn sway(standard: Option<&str>, case: &str, slewing: f64) -> Option<f64> {
     const FAST: f64 = 2.0 / 60.0;
     let angle: f64 = if slewing.abs() >= FAST { 12.0 } else { 10.0 };
     (standard == Some(NAMES[0]) && case == "II").then(|| angle.to_radians())
+}
+
+/// Wind pressure (Pa) under which a standard asks for the motor's heating: a part of that at work, where case II has one.
+fn heating_wind(table: &Values, standard: Option<&str>, case: &str) -> Option<f64> {
+    let (name, part) = HEATING_WIND;
+    let asked = standard == Some(name) && case == "I";
+    let mut cases = table.tables("case").iter().filter(|_| asked);
+    let work = cases.find(|case| case.words("name").is_some_and(|name| name.english() == "II"))?;
+    work.number(s::P_W.id)
+        .filter(|_| !work.has(s::V_W.id))
+        .map(|pressure| part * pressure)
 }
 
 /// What cases need of a mechanism.

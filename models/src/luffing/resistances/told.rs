@@ -14,6 +14,7 @@ use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::group::Group;
 use crate::kernel::schema::Values;
 use crate::kernel::symbol::{Symbol, listed};
+use crate::luffing::resistances::able::able;
 use crate::luffing::resistances::friction::{OF_BALANCE, Pins};
 use crate::luffing::resistances::given::{Case, CaseBody, CasePin, CasesChoice};
 use crate::luffing::resistances::loads::Loads;
@@ -23,9 +24,8 @@ use crate::luffing::resistances::placed::{BARS, MovedBars};
 use crate::luffing::resistances::scene::{CaseParts, Cases};
 use crate::luffing::resistances::sums::{BodySums, Sums, pointing, swept};
 use crate::luffing::resistances::symbols as s;
-use crate::luffing::resistances::train::able;
 use crate::luffing::strength::given::PinSize;
-use crate::luffing::strength::outline::COLUMNS as STRENGTH_COLUMNS;
+use crate::luffing::strength::outline::{COLUMNS as STRENGTH_COLUMNS, WorkedOutline};
 use crate::luffing::strength::symbols as t;
 
 /// What is found of all cases at one position.
@@ -40,6 +40,12 @@ pub struct Felt {
 pub trait Resists: Component {
     const PARTS: CaseParts;
 
+    /// Moments in a publication's form with the exact ones, side by side.
+    const BESIDE: &'static [&'static Symbol] = &[];
+
+    /// How the former are worked out.
+    const WORKED: &'static [WorkedOutline] = &[];
+
     /// # Errors
     /// A position that does not exist.
     fn felt(known: &mut Self::Known<f64>) -> Found<Felt>;
@@ -47,9 +53,13 @@ pub trait Resists: Component {
 
 /// Implements [`Resists`] for a component with the stages of that name.
 macro_rules! resists {
-    ($component:ident with $parts:expr) => {
+    ($component:ident with $parts:expr $(, beside $beside:expr, worked $worked:expr)?) => {
         impl $crate::luffing::resistances::told::Resists for $component {
             const PARTS: $crate::luffing::resistances::scene::CaseParts = $parts;
+            $(
+                const BESIDE: &'static [&'static $crate::kernel::symbol::Symbol] = $beside;
+                const WORKED: &'static [$crate::luffing::strength::outline::WorkedOutline] = $worked;
+            )?
             fn felt(known: &mut Known<f64>) -> Found<$crate::luffing::resistances::told::Felt> {
                 Ok($crate::luffing::resistances::told::Felt {
                     moved: *known.moved()?,
@@ -94,14 +104,7 @@ pub fn check<T: Resists>(model: &Standing, cases: &Cases, v: &Values, found: &mu
         }
     }
     free(model, v, found);
-    able(
-        model,
-        cases.motor.as_ref(),
-        (cases.brake.as_ref(), cases.second.as_ref()),
-        &cases.names,
-        v,
-        found,
-    );
+    able(model, cases, v, found);
 }
 
 /// Checks that the drive's bar has a free length all over the working range.
@@ -143,7 +146,7 @@ pub fn chapter<T: Described<Component: Resists>>(
     }
     let coordinate = model.variables()[0].symbol;
     const ALL: [&[&Symbol]; 3] = [COLUMNS, SHAFT_COLUMNS, STRENGTH_COLUMNS];
-    let columns = ALL.into_iter().flatten();
+    let columns = ALL.into_iter().flatten().chain(T::Component::BESIDE);
     let mut peaks = Peaks::new(model);
     peaks.look(model, columns.copied());
     let mut greatest = |symbol: &&'static Symbol| -> Vec<Summary> {
@@ -151,6 +154,7 @@ pub fn chapter<T: Described<Component: Resists>>(
         each.map(|found| Summary::at(symbol, found, coordinate)).collect()
     };
     let all: Vec<Vec<Summary>> = ALL.into_iter().flatten().map(&mut greatest).collect();
+    let beside: Vec<Vec<Summary>> = T::Component::BESIDE.iter().map(&mut greatest).collect();
     // The case and the place where one of them is greatest.
     let most = |symbol: &'static Symbol| {
         let all = all
@@ -161,7 +165,7 @@ pub fn chapter<T: Described<Component: Resists>>(
     };
     let mut worked = Vec::new();
     let mut told_before = Vec::new();
-    for (id, symbol, outline, takes) in WORKED {
+    for (id, symbol, outline, takes) in WORKED.iter().chain(T::Component::WORKED).copied() {
         let Some((case, at)) = most(symbol) else { continue };
         let felt = felt::<T::Component>(model)(at).ok()?;
         let mut taken = bodies_taken(cases, &felt, case);
@@ -202,6 +206,7 @@ pub fn chapter<T: Described<Component: Resists>>(
             .collect(),
         worked,
         greatest: all.into_iter().filter(|all| !all.is_empty()).collect(),
+        beside: beside.into_iter().filter(|all| !all.is_empty()).collect(),
         ranges,
         curves: lines(told, model, &mut peaks, &CURVES),
     })

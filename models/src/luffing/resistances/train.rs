@@ -1,26 +1,27 @@
 //! What a scene says of the motor and the brakes that work its cases.
 
-use crate::component::probe::slots;
-use crate::component::running::Running;
-use crate::component::stages::Slot;
-use crate::component::standing::Standing;
-use crate::component::telling::fine;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Kind, Values};
 use crate::kernel::symbol::Symbol;
 use crate::kernel::text::Text;
-use crate::luffing::resistances::given::{CaseBrake, CaseHold, CaseMotor, SecondBrake};
+use crate::luffing::resistances::given::{CaseBrake, CaseHold, CaseMotor, InverterStart, SecondBrake, SlipStart};
 use crate::luffing::resistances::symbols as s;
 
 /// Beside the cases.
 pub const MOTOR: Key = Key::part("motor", MOTOR_KEYS, "The motor that works the drive.");
+pub const START: Key = Key::part("start", START_KEYS, "How the motor starts, besides by its mean torque.");
 pub const BRAKE: Key = Key::part("brake", BRAKE_KEYS, "The brake on the motor's shaft.");
 pub const SECOND: Key = Key::part("second_brake", SECOND_KEYS, "Another brake there, which acts after it.");
 
 const MOTOR_KEYS: &[Key] = keys! { s:
     P_N > 0, N_N > 0, LAMBDA_M > 0, K_A > 0, J_M > 0, L_M > 0, ETA_M > 0;
     Key::new("heating", Kind::Name, "The case for whose motion in and out the heating of the motor is asked.")
+};
+
+const START_KEYS: &[Key] = keys! { s:
+    LAMBDA_BD > 0 [optional], N_0 > 0 [optional], T_R > 0 [optional], LAMBDA_INV > 0 [optional];
+    Key::new("kind", Kind::Choice(&["slip", "inverter"]), "\"slip\", along the motor's own curve of torque over slip, or \"inverter\", which ramps its speed up.")
 };
 
 const BRAKE_KEYS: &[Key] = keys! { s: T_B > 0, TAU_B >= 0 };
@@ -31,6 +32,8 @@ const SECOND_KEYS: &[Key] = keys! { s: T_B2 > 0, TAU_B2 >= 0 };
 #[derive(Default)]
 pub struct Train {
     pub motor: Option<CaseMotor<f64>>,
+    pub slip: Option<SlipStart<f64>>,
+    pub inverter: Option<InverterStart<f64>>,
     pub brake: Option<CaseBrake<f64>>,
     pub second: Option<SecondBrake<f64>>,
     pub holds: Vec<CaseHold<f64>>,
@@ -51,6 +54,9 @@ impl Train {
         if let Some(motor) = motor {
             self.motor = CaseMotor::of(|symbol| motor.number(symbol.id));
             self.take_heating(table, motor, names, found);
+        }
+        if let Some(start) = table.table("start") {
+            self.take_start(table, start, found);
         }
         let of = |name| table.table(name);
         self.brake = of("brake").and_then(|v| CaseBrake::of(|symbol| v.number(symbol.id)));
@@ -76,7 +82,10 @@ impl Train {
         for case in table.tables("case") {
             match (case.number(s::K_B.id), self.brake.is_none()) {
                 (None, false) => {
-                    let what = "brakes, and a case without the safety with which they hold it";
+                    let lacks = table.text("standard").map_or(String::new(), |standard| {
+                        format!(", which {standard} does not give here")
+                    });
+                    let what = format!("brakes, and a case without the safety with which they hold it{lacks}");
                     found.push(case.refuse(
                         "name",
                         what,
@@ -93,6 +102,53 @@ impl Train {
         }
     }
 
+    /// One of two ways, each with quantities of its own.
+    fn take_start(&mut self, table: &Values, start: &Values, found: &mut Vec<Diagnostic>) {
+        let Some(motor) = &self.motor else {
+            if table.table("motor").is_none() {
+                let help = "add [cases.motor]: it is this that starts";
+                found.push(table.refuse("start", "a start without a motor", "of no motor", help));
+            }
+            return;
+        };
+        let slips = start.text("kind") == Some("slip");
+        let (kind, other) = if slips {
+            ("slip", "inverter")
+        } else {
+            ("inverter", "slip")
+        };
+        let mut own = [[&s::LAMBDA_BD, &s::N_0], [&s::T_R, &s::LAMBDA_INV]];
+        if !slips {
+            own.reverse();
+        }
+        for symbol in own[0].into_iter().filter(|symbol| !start.has(symbol.id)) {
+            let (what, help) = (
+                format!("a start of kind \"{kind}\" without {}", symbol.id),
+                format!("add {} = \"...\"", symbol.id),
+            );
+            found.push(start.refuse("kind", what, format!("{} is needed", symbol.id), help));
+        }
+        for symbol in own[1].into_iter().filter(|symbol| start.has(symbol.id)) {
+            let what = format!("{} belongs to a start of kind \"{other}\"", symbol.id);
+            found.push(start.refuse(symbol.id, what, "not used", "remove it, or change kind"));
+        }
+        let number = |symbol: &'static Symbol| start.number(symbol.id);
+        if slips {
+            self.slip = SlipStart::of(number);
+        } else {
+            self.inverter = InverterStart::of(number);
+        }
+        if let Some(slip) = self.slip.filter(|slip| slip.n_0 <= motor.n_n) {
+            let what = format!(
+                "n_0 = {} is not above n_N = {}",
+                s::N_0.written(slip.n_0),
+                s::N_N.written(motor.n_n)
+            );
+            let help = "give the synchronous speed: a motor at its rated power turns more slowly";
+            found.push(start.refuse(s::N_0.id, what, "no slip", help));
+        }
+    }
+
     fn take_heating(&mut self, table: &Values, motor: &Values, names: &[Text], found: &mut Vec<Diagnostic>) {
         let names: Vec<&str> = names.iter().map(|name| name.english()).collect();
         let Some(case) = named(motor, "heating", "case", &names, found) else {
@@ -103,85 +159,6 @@ impl Train {
             found.push(motor.refuse("heating", what, "at rest", "name a case with a speed v_s"));
         }
         self.heating = Some(case);
-    }
-}
-
-/// Refuses a motor that cannot start, and brakes that cannot hold or stop, somewhere in the working range.
-pub(super) fn able(
-    model: &Standing,
-    motor: Option<&CaseMotor<f64>>,
-    (brake, second): (Option<&CaseBrake<f64>>, Option<&SecondBrake<f64>>),
-    names: &[Text],
-    v: &Values,
-    found: &mut Vec<Diagnostic>,
-) {
-    let Some(motor) = motor else { return };
-    let mut part = model.part().duplicate();
-    let mut at = |slot: &Slot, place: f64| {
-        let mut value = 0.0;
-        // What is known of the place where it stands stays known.
-        if part.take(model.coordinate()) != place {
-            part.put(model.coordinate(), place);
-        }
-        part.result(slot, &mut value).ok().map(|()| value)
-    };
-    let mut refuse = |key: &str, what: String, help: &str| {
-        let table = v.table("cases").unwrap_or(v);
-        found.push(table.refuse(key, what, "too weak", help));
-    };
-    let of = |symbol| slots(model, symbol).collect::<Vec<_>>();
-    let starting = motor.k_a * motor.rated();
-    let coordinate = model.variables()[0].symbol;
-    let places = || fine(model.motion());
-    let mut most = |symbol: &'static Symbol| {
-        let slots = of(symbol);
-        let cases = || (0..).zip(slots.clone());
-        let all = places().flat_map(|place| cases().map(move |(case, slot)| (case, slot, place)));
-        let known = all.filter_map(|(case, slot, place): (usize, Slot, f64)| Some((at(&slot, place)?, case, place)));
-        known.max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()))
-    };
-    let said = |case: usize, place: f64| {
-        format!(
-            "in case \"{}\" at {} = {}",
-            names[case].english(),
-            coordinate.id,
-            coordinate.written(place)
-        )
-    };
-    if let Some((against, case, place)) = most(&s::T_0).filter(|found| found.0 >= starting) {
-        let what = format!(
-            "the motor cannot start {}: it gives {} where {} resist",
-            said(case, place),
-            s::T_0.written(starting),
-            s::T_0.written(against)
-        );
-        refuse(
-            "motor",
-            what,
-            "give a stronger motor, or a smaller travel l_M of the drive for one turn",
-        );
-    }
-    let brakes = brake.map_or(0.0, |brake| brake.torque) + second.map_or(0.0, |brake| brake.torque);
-    let holding = most(&s::T_H).filter(|_| brake.is_some());
-    if let Some((held, case, place)) = holding.filter(|found| found.0.abs() * motor.eta >= brakes) {
-        let what = format!(
-            "the brakes cannot hold {}: they have {} where {} pull",
-            said(case, place),
-            s::T_H.written(brakes),
-            s::T_H.written(held.abs() * motor.eta)
-        );
-        refuse(
-            "brake",
-            what,
-            "give stronger brakes, or a smaller travel l_M of the drive for one turn",
-        );
-    } else if let Some((_, case, place)) = most(&s::T_STOP).filter(|found| found.0.is_infinite()) {
-        let what = format!("the brakes do not stop the drive {}", said(case, place));
-        refuse(
-            "brake",
-            what,
-            "give stronger brakes, or a smaller travel l_M of the drive for one turn",
-        );
     }
 }
 

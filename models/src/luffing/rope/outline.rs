@@ -18,7 +18,7 @@ const OWN_USES: [Purpose; 3] = [
 
 pub const OUTLINE: Outline = Outline {
     inputs: chapters!(geometry "", tackle, hoist_rope, weights, balance, load "Q", motion, moving "dynamics", luffing_control "control", hoisting, air, ground,
-        cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_brake "cases.brake", case_second_brake "cases.second_brake",
+        cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_start "cases.start", case_brake "cases.brake", case_second_brake "cases.second_brake",
         case_rope "cases.rope", case_pin_sizes "cases.pin_size", limits),
     constants: &[
         ("rope_constants", &[Stage("level")]),
