@@ -34,6 +34,7 @@
 //! | `lemniscate.resistances` | [`resisting::moved`], [`resisting::pins`] | [`crate::luffing::resistances`] |
 //! | `lemniscate.published` | [`published::PublishedFormulas::new`] | Li2022, eq. 1, 4-7 |
 
+pub mod aboard;
 pub mod balancing;
 pub mod drawing;
 pub mod driving;
