@@ -18,7 +18,7 @@ G, RHO = 9.81, 1025.0
 T = 1e3 * G
 L, B = 40.0, 16.0
 SOLIDS = [(620 * T, -1.0, 0.0, 1.9), (110 * T, 8.0, 0.0, 8.5), (200 * T, -9.0, 0.0, 0.6)]
-SLEWS = [(25e3, -5.0, 2.0, 14.5), (25e3, -5.0, -2.0, 14.5), (30e3, -2.0, 0.0, 19.0)]
+SLEWS = [(25 * T, -5.0, 2.0, 14.5), (25 * T, -5.0, -2.0, 14.5), (30 * T, -2.0, 0.0, 19.0)]
 AXIS, FOOT, ROPE, LOAD = 8.0, 14.0, 15.0, 100e3 / G
 MASS = dict(m_a=1e6, J_x=4e7, J_y=1.5e8, d_z=3.6e5, d_x=6.5e6, d_y=3.6e7)
 BARS = [(162e3, 9.516e5), (95.14e3, 2.012e5), (27.6e3, 1.145e5)]
@@ -273,15 +273,11 @@ def test_the_work_of_the_drives_is_what_energy_grows_by(tmp_path):
         power = power - damping * found[name] ** 2
     worst, grown, work = 0.0, [], 0.0
     for low, high in zip(breaks, breaks[1:]):
-        # At a break the moment jumps: of what is told twice at its time, the last begins the piece and the first ends it.
         inside = np.flatnonzero((found["time"] > low - 1e-9) & (found["time"] < high + 1e-9))
-        t = found["time"][inside]
-        first, last = np.searchsorted(t, low + 1e-9) - 1, np.searchsorted(t, high - 1e-9)
-        inside = inside[first : last + 1]
         t, p = found["time"][inside], power[inside]
-        if low > 0:
-            # The row at a break has the command of before: from its right-hand side by what follows.
-            p[0] = np.polyval(np.polyfit(t[1:7] - t[0], p[1:7], 5), 0.0)
+        if high < 70:
+            # At a break the moment jumps, and what is told there has the command that follows.
+            p[-1] = np.polyval(np.polyfit(t[-7:-1] - t[-1], p[-7:-1], 5), 0.0)
         done = work + cumulative_simpson(p, x=t, initial=0.0)
         for i in range(0, len(t), 100):
             gain = energy(found[inside[i]]) - energy(found[0])
@@ -296,12 +292,12 @@ def test_bars_without_weight_are_a_head_of_given_reach(tmp_path):
     """And nothing luffs: the same motion as that of a crane that has no luffing mechanism."""
     text = READY.read_text(encoding="utf-8")
     at = text.index("[luffing.weights]")
-    light = [(text[at:], ""), (text[text.index("[[hull.turning]]") : text.index("[hull.loss]")], ""), STILL[1]]
+    told = text[text.index("omega_c1 = ") : text.index("Q = {")]
+    light = [(text[at:], ""), (text[text.index("[[hull.turning]]") : text.index("[hull.loss]")], ""), (told, "")]
     names = ["h_G", "phi_x", "theta_y", "r_x", "r_y", "r_z", "S_R"]
     first = simulate_fmu(built(tmp_path, "Light", *light)["FMI 3"], stop_time=60.0, output_interval=0.5, output=[*names, "R", "h_s"])
     reach, height = float(first["R"][0]), float(first["h_s"][0])
     plain = text[: text.index("[[hull.turning]]")] + text[text.index("[hull.loss]") : text.index("[luffing]")]
-    told = text[text.index("omega_c1 = ") : text.index("Q = {")]
     for before, after in (
         (told, ""),
         ('theta_1 = "46 deg"            # the boom at the start\n', f'R = "{reach!r} m"\n'),
@@ -315,6 +311,7 @@ def test_bars_without_weight_are_a_head_of_given_reach(tmp_path):
     lemnis("fmu", path, "--output", tmp_path)
     second = simulate_fmu(str(tmp_path / "Plain.fmu"), stop_time=60.0, output_interval=0.5, output=names)
     for name in names:
-        off = np.abs(first[name] - second[name]).max() / max(np.ptp(second[name]), 1e-3)
+        # What rounding comes to in a minute; lengths are metres and tens of them.
+        off = np.abs(first[name] - second[name]).max() / max(np.abs(second[name]).max(), 1.0)
         print(name, off)
-        assert off < 1e-12 or np.abs(first[name] - second[name]).max() < 1e-12, name
+        assert off < 1e-12, name

@@ -105,6 +105,7 @@ impl<C: Calc> CraneAfloat<C> {
     }
 
     /// r = D(θ, φ) (foot + S(ψ) p(θ_1)), with all its derivatives.
+    #[inline(never)]
     pub fn moved(&self, point: &CraneMass<C>) -> MovedPoint<C> {
         let [[sin, cos], [low, high], [steep, level]] = self.turns;
         let [p, q, r, l] = self.rates;

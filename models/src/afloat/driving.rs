@@ -27,7 +27,7 @@ quantities! {
 
 /// dω_1/dt = (ω_c1 − ω_1)/T_1, in rad/s².
 pub fn luffing<C: Calc>(servo: &LuffingServo<C>, command: &LuffingCommand<C>, luffing: &LuffingMotion<C>) -> C {
-    (command.omega_c1 - luffing.omega_1) / servo.t_1
+    ((command.omega_c1 - luffing.omega_1) / servo.t_1).def(&s::D_OMEGA_1)
 }
 
 /// What slewing and luffing drives give.

@@ -13,7 +13,6 @@ use crate::kernel::record::Rec;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Fault;
 use crate::luffing::aboard::{Aboard, Posed};
-use crate::luffing::moving::weighed::Weight;
 use crate::parts::plane::Point;
 
 quantities! {
@@ -38,30 +37,28 @@ struct AtAngle;
 impl EachScalar for AtAngle {
     type For<C: Calc> = Poses<C>;
     fn plain() -> Poses<f64> {
-        |of, at| Some(summed(of, of.posed(at)?))
+        |of, at| {
+            let value = |x: Dual64| x.re;
+            let posed = of.posed(Dual64::constant(at))?.map(&value, &value);
+            Some(summed(of, posed))
+        }
     }
     fn dual() -> Poses<Dual64> {
-        |of, at| Some(summed(of, of.with_slope(at)?))
+        |of, at| Some(summed(of, of.posed(at)?))
     }
     fn recorded() -> Poses<Rec> {
         |of, at| {
-            let (posed, sums) = summed(of, of.posed(at.value())?);
+            let (posed, sums) = Self::plain()(of, at.value())?;
             let far = |x: f64| Rec::known(&s::H_A, x).over(at);
-            let heavy = |(weight, places): &Weight<f64>| {
-                let weight = Rec::known(&s::W_1, *weight).over(at);
-                (weight, places.map(|place| place.map(far)))
-            };
-            let posed = Posed {
-                head: posed.head.map(|point| point.map(far)),
-                weights: posed.weights.iter().map(heavy).collect(),
-            };
+            let heavy = |x: f64| Rec::known(&s::W_1, x).over(at);
             let named = |i: usize| Rec::known(SUMS[i], sums[i]).over(at).def(SUMS[i]);
-            Some((posed, std::array::from_fn(named)))
+            Some((posed.map(&far, &heavy), std::array::from_fn(named)))
         }
     }
 }
 
 /// With reach and height of the head, weight and moments, and how they change.
+#[inline(never)]
 fn summed<C: Calc>(of: &dyn Aboard, posed: Posed<C>) -> (Posed<C>, Sums<C>) {
     let offset = C::constant(of.offset());
     let [head, travel, _] = posed.head;

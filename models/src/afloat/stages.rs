@@ -82,7 +82,7 @@ stages! {
         forces: WaterForces<C> = WaterForces::new(moved[!], buoyed[!], riding, dead, wetted, density, gravity);
         carrying: CraneAfloat<C> = CraneAfloat::new(
             psi, omega, place, height, luffed, luffing[!], turning, moved[!], riding, gravity) => _;
-        luffs: C = luffing(luffing_servo[!], luffing_command[!], luffing[!]) => D_OMEGA_1;
+        luffs: C = luffing(luffing_servo[!], luffing_command[!], luffing[!]) => _;
         swaying: Swaying<C> = Swaying::new(
             moved[!], buoyed[!], roped[!], servo[!], command[!], riding, head, forces, dead, load, gravity, omega, luffs[?],
             carrying[?]);

@@ -82,6 +82,7 @@ impl Finding<9> for Yielding {
 }
 
 /// A x = b of a symmetric matrix, by its factors L D Lᵀ.
+#[inline(never)]
 fn solved<C: Calc>(a: &[[C; 3]; 3], b: [C; 3]) -> [C; 3] {
     let (p, q) = (a[1][0] / a[0][0], a[2][0] / a[0][0]);
     let second = a[1][1] - p * a[1][0];

@@ -4,6 +4,7 @@ use std::fmt;
 
 use num_dual::Dual64;
 
+use crate::kernel::calc::Calc;
 use crate::kernel::schema::{Key, SOURCE};
 use crate::kernel::sign::Sign;
 use crate::kernel::symbol::symbols;
@@ -36,6 +37,19 @@ pub struct Posed<C> {
     pub weights: Vec<Weight<C>>,
 }
 
+impl<C: Calc> Posed<C> {
+    /// The same over another scalar: places (m), and weights (N).
+    pub fn map<D>(&self, far: &dyn Fn(C) -> D, heavy: &dyn Fn(C) -> D) -> Posed<D> {
+        let each = |places: &[Point<C>; 3]| places.map(|place| Point::new(far(place.x), far(place.y)));
+        Posed {
+            head: each(&self.head),
+            weights: (self.weights.iter())
+                .map(|(weight, places)| (heavy(*weight), each(places)))
+                .collect(),
+        }
+    }
+}
+
 /// A luffing mechanism on something that moves.
 pub trait Aboard: fmt::Debug + Send + Sync {
     fn range(&self) -> &Motion;
@@ -43,11 +57,9 @@ pub trait Aboard: fmt::Debug + Send + Sync {
     /// How far its foot is in front of the slewing axis, in m.
     fn offset(&self) -> f64;
 
-    /// At a value of its coordinate (rad); `None` where it does not close, or its balance cannot be.
-    fn posed(&self, theta: f64) -> Option<Posed<f64>>;
-
-    /// The same with one more derivative.
-    fn with_slope(&self, theta: Dual64) -> Option<Posed<Dual64>>;
+    /// At a value of its coordinate (rad), with one more derivative by what that follows from; `None` where it does not close, or
+    /// its balance cannot be.
+    fn posed(&self, theta: Dual64) -> Option<Posed<Dual64>>;
 
     /// Its bars, each from joint to joint, in m from its foot.
     fn bars(&self, theta: f64) -> Vec<Vec<Point<f64>>>;

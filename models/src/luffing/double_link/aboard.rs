@@ -1,6 +1,6 @@
 //! The double link on something that moves: its bars as point masses, its jib's head.
 
-use num_dual::{Dual2, Dual64, DualNum};
+use num_dual::{Dual2, Dual64};
 
 use crate::balance::scene::BALANCE;
 use crate::balance::symbols as b;
@@ -14,7 +14,7 @@ use crate::luffing::aboard::{Aboard, MOTION, Posed};
 use crate::luffing::double_link::balancing;
 use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::keys::{LINKS, WEIGHTS};
-use crate::luffing::double_link::linkage::{Bodies, HeavyLinkage, Positions, bars};
+use crate::luffing::double_link::linkage::{Bodies, HeavyLinkage, bars};
 use crate::luffing::double_link::moving::built::{Inertias, slender};
 use crate::luffing::double_link::moving::symbols as m;
 use crate::luffing::double_link::parameters::Parameters;
@@ -129,28 +129,6 @@ impl LinkAboard {
             range,
         })
     }
-
-    fn at<T: Calc + DualNum>(&self, positions: &Positions<T>, theta: T) -> Option<Posed<T>> {
-        let (g, theta) = (
-            &positions.geometry,
-            Dual2::new(theta, T::constant(1.0), T::constant(0.0)),
-        );
-        let p = Position::new(g, theta)?;
-        let gravity = self.linkage.bodies.gravity;
-        let mut weights = Vec::with_capacity(7);
-        for (body, bar) in self.linkage.bodies.bars().into_iter().zip(bars(g, &p)) {
-            let halves = body.halves();
-            weights.extend(halves.map(|(mass, at)| (T::constant(mass * gravity), bar.point(at.map(T::constant)))));
-        }
-        if let Some(weight) = &positions.counterweight {
-            let place = balancing::place(&weight.balancing, g, &weight.weights, &p, theta)?;
-            weights.push((weight.mass.scaled(gravity), parts(place)));
-        }
-        Some(Posed {
-            head: parts(p.a),
-            weights,
-        })
-    }
 }
 
 impl Aboard for LinkAboard {
@@ -162,12 +140,24 @@ impl Aboard for LinkAboard {
         self.parameters.lengths.x_8
     }
 
-    fn posed(&self, theta: f64) -> Option<Posed<f64>> {
-        self.at(&self.linkage.twice, theta)
-    }
-
-    fn with_slope(&self, theta: Dual64) -> Option<Posed<Dual64>> {
-        self.at(&self.linkage.thrice, theta)
+    fn posed(&self, theta: Dual64) -> Option<Posed<Dual64>> {
+        let (positions, of) = (&self.linkage.thrice, Dual64::constant);
+        let (g, theta) = (&positions.geometry, Dual2::new(theta, of(1.0), of(0.0)));
+        let p = Position::new(g, theta)?;
+        let gravity = self.linkage.bodies.gravity;
+        let mut weights = Vec::with_capacity(7);
+        for (body, bar) in self.linkage.bodies.bars().into_iter().zip(bars(g, &p)) {
+            let halves = body.halves();
+            weights.extend(halves.map(|(mass, at)| (of(mass * gravity), bar.point(at.map(of)))));
+        }
+        if let Some(weight) = &positions.counterweight {
+            let place = balancing::place(&weight.balancing, g, &weight.weights, &p, theta)?;
+            weights.push((weight.mass.scaled(gravity), parts(place)));
+        }
+        Some(Posed {
+            head: parts(p.a),
+            weights,
+        })
     }
 
     fn bars(&self, theta: f64) -> Vec<Vec<Point<f64>>> {
