@@ -94,6 +94,10 @@ impl Rig {
     /// Of a hull that stands or moves under gravity (m/s²); mistakes go to `found`.
     pub fn read(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<Rig> {
         let (before, pedestal) = (found.len(), v.table("pedestal")?);
+        // Of a luffing mechanism that cannot stand here it has been told.
+        if before > 0 && !v.has(CARRIED.name) && pedestal.has(s::H_1.id) {
+            return None;
+        }
         suits(v, pedestal, found);
         let moves = v.text("fidelity") == Some("swing");
         let table = v.table(CARRIED.name).filter(|_| found.len() == before);

@@ -27,7 +27,7 @@ use crate::kernel::group::One;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Kind, SOURCE, Values};
 use crate::kernel::sign::Sign;
-use crate::kernel::symbol::Symbol;
+use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::unit::M_DEG;
 use crate::kernel::variable::Fault;
 use crate::luffing::aboard;
@@ -185,6 +185,7 @@ impl Described for AfloatScene {
     const ID: &'static str = "afloat";
     const TABLE: &'static str = "hull";
     const OUTLINE: &'static Outline = &OUTLINE;
+    const FOLLOWED: &'static [&'static Symbol] = listed!(s: M_SL, M_1);
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "afloat_symbol",
         own: &[s::ALL, aboard::ALL],
