@@ -67,8 +67,8 @@ impl Finding<9> for Yielding {
             let own = driven(&moved) + weight;
             for i in 0..3 {
                 forces[i] -= mass.mass * dot(moved.travel[i], own);
-                for j in 0..3 {
-                    inertia[i][j] += mass.mass * dot(moved.travel[i], moved.travel[j]);
+                for (sum, travel) in inertia[i].iter_mut().zip(&moved.travel) {
+                    *sum += mass.mass * dot(moved.travel[i], *travel);
                 }
             }
         }
@@ -94,12 +94,15 @@ fn solved<C: Calc>(a: &[[C; 3]; 3], b: [C; 3]) -> [C; 3] {
     [b[0] / a[0][0] - p * y - q * z, y, z]
 }
 
+/// Acceleration of the head (m/s²), and of heave, heel and pitch without the rope, and by it.
+pub type Yields<C> = (Vector3<C>, [C; 3], [C; 3]);
+
 /// Acceleration of the head (m/s²) where heave, heel and pitch keep their speeds, how these accelerate without the rope, and by its
 /// force over the mass of the load.
 ///
 /// # Errors
 /// As [`found`]; there is none.
-pub fn yielding<C: Scalar>(crane: &CraneAfloat<C>, on: DrivenHull<C>) -> Result<(Vector3<C>, [C; 3], [C; 3]), Fault> {
+pub fn yielding<C: Scalar>(crane: &CraneAfloat<C>, on: DrivenHull<C>) -> Result<Yields<C>, Fault> {
     let [x, y, z, a, b, c, d, e, f] = found::<Yielding, C, 9>(&(crane.clone(), on))?;
     Ok((Vector3::new(x, y, z), [a, b, c], [d, e, f]))
 }
