@@ -20,7 +20,7 @@ pub static TURNING: &[Key] = keys! { s: G_U [or_mass], X_U, Y_U [usually(0.0)], 
 const LUFFING: [&str; 3] = ["theta_1", "omega_c1", "turning"];
 
 /// Where head and crane are, and what of it slews.
-pub struct Rig {
+pub struct CraneRig {
     pub reach: Option<One<f64>>,
     pub place: CranePlace<f64>,
     pub height: One<f64>,
@@ -90,9 +90,9 @@ fn suits(v: &Values, pedestal: &Values, found: &mut Vec<Diagnostic>) {
     }
 }
 
-impl Rig {
+impl CraneRig {
     /// Of a hull that stands or moves under gravity (m/s²); mistakes go to `found`.
-    pub fn read(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<Rig> {
+    pub fn read(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<CraneRig> {
         let (before, pedestal) = (found.len(), v.table("pedestal")?);
         // Of a luffing mechanism that cannot stand here it has been told.
         if before > 0 && !v.has(CARRIED.name) && pedestal.has(s::H_1.id) {
@@ -119,7 +119,7 @@ impl Rig {
             }
             One(&s::THETA_1, at)
         });
-        Some(Rig {
+        Some(CraneRig {
             reach: one(v, &s::R),
             place: CranePlace::read(pedestal)?,
             height: one(pedestal, if luffer.is_some() { &s::H_1 } else { &s::H_S })?,

@@ -5,7 +5,7 @@ use crate::afloat::gust::GustGiven;
 use crate::afloat::levers::{ToldHeel, raised};
 use crate::afloat::loss::LossRule;
 use crate::afloat::outline::{LEVERS, OUTLINE};
-use crate::afloat::rig::{PEDESTAL, Rig, TURNING};
+use crate::afloat::rig::{CraneRig, PEDESTAL, TURNING};
 use crate::afloat::shape;
 use crate::afloat::stages::{FloatingCrane, Given, MadeInputs};
 use crate::afloat::start::{self, DYNAMICS, MOVING, MovingHull};
@@ -197,7 +197,7 @@ impl Described for AfloatScene {
         let range = Motion::read(v.table("motion")?, found)?;
         suits(v, found);
         start::suits(v, found);
-        let rig = Rig::read(v, gravity, found);
+        let rig = CraneRig::read(v, gravity, found);
         let (built, offsets, wind) = (shape::built(v, found), shape::sections(v, found), v.table("wind"));
         let rig = rig.filter(|_| found.len() == before)?;
         let one = |symbol: &'static Symbol| v.of(symbol).map(|value| One(symbol, value));
