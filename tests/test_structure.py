@@ -149,7 +149,8 @@ FLOORS = [
     ["parts"],
     ["component"],
     ["balance", "drive"],
-    ["luffing", "slewing", "steering", "supports", "hopper", "unloader", "bridge", "afloat"],
+    ["luffing", "slewing", "steering", "supports", "hopper", "unloader", "bridge"],
+    ["afloat"],
     ["registry", "book", "vary"],
     ["reading", "request", "study"],
     ["scene"],
@@ -183,7 +184,9 @@ def test_no_files_need_each_other_in_a_circle():
 
 
 # What has a line for every mechanism: which there are, and the folders themselves.
-LISTS = {"models/src/lib.rs", "models/src/luffing/mod.rs", "models/src/registry.rs", "models/src/supports/mod.rs"}
+LISTS = {
+    "models/src/lib.rs", "models/src/luffing/kinds.rs", "models/src/luffing/mod.rs", "models/src/registry.rs", "models/src/supports/mod.rs",
+}
 
 
 def entries():

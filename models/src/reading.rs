@@ -16,8 +16,8 @@ pub const LONGEST_NAME: usize = 60;
 pub(crate) fn gather(values: &mut Values, found: &mut Vec<Diagnostic>) {
     let given = registry::mechanisms(|name| values.has(name));
     if let [mechanism] = given.as_slice() {
-        for part in registry::PARTS.iter().filter(|part| part.name != *mechanism) {
-            found.extend(values.adopt(part.name, mechanism).err());
+        for part in registry::beside(mechanism) {
+            found.extend(values.adopt(part, mechanism).err());
         }
     }
 }

@@ -136,6 +136,19 @@ pub const PARTS: [Key; 5] = [
     luffing::resistances::scene::CASES,
 ];
 
+/// Mechanisms that carry another one, which is a part of theirs where both stand in a scene.
+const CARRIERS: [[&str; 2]; 1] = [[HULL.name, LUFFING.name]];
+
+/// What may stand beside a mechanism, as a part of its table.
+pub fn beside(mechanism: &str) -> impl Iterator<Item = &'static str> {
+    let carried = CARRIERS.into_iter().filter(move |[carrier, _]| *carrier == mechanism);
+    let parts = PARTS
+        .iter()
+        .map(|part| part.name)
+        .filter(move |part| *part != mechanism);
+    parts.chain(carried.map(|[_, carried]| carried))
+}
+
 /// The scene's tables that a mechanism may stand in; what may be a part of another one comes last.
 pub fn tables() -> impl Iterator<Item = &'static str> {
     let whole = [LUFFING, STEERING, SUPPORTS, HOPPER, GRAB_UNLOADER, TROLLEY, HULL];
@@ -146,7 +159,11 @@ pub fn tables() -> impl Iterator<Item = &'static str> {
 pub fn mechanisms(given: impl Fn(&'static str) -> bool) -> Vec<&'static str> {
     let is_part = |name: &&str| PARTS.iter().any(|part| part.name == *name);
     let (parts, whole): (Vec<_>, Vec<_>) = tables().filter(|name| given(name)).partition(is_part);
-    if whole.is_empty() { parts } else { whole }
+    if whole.is_empty() {
+        return parts;
+    }
+    let carried = |name: &str| CARRIERS.iter().any(|[by, of]| *of == name && whole.contains(by));
+    whole.iter().filter(|name| !carried(name)).copied().collect()
 }
 
 /// What books need of a mechanism.

@@ -13,6 +13,7 @@ use lemnis_models::scene::Scene;
 use named::{get, index, model, near, set};
 
 const READY: &str = include_str!("../scenes/floating_static.toml");
+const LUFFS: &str = include_str!("../scenes/floating_crane.toml");
 const G: f64 = 9.81;
 
 /// A box (m) in water of 1 t/m³ with one mass (t) at a height (m), a load (t) at a reach and a height (m).
@@ -299,23 +300,83 @@ fn derivatives() {
     let by = [
         "psi_sl", "R", "Q", "B", "L", "D", "h_s", "x_m[2]", "G_m[3]", "h_t[1]", "b_t[2]", "y_t[1]", "p_w", "phi_h[3]",
     ];
+    differences(&mut model, &by, &results);
+}
+
+/// As in motion, of a crane that luffs: static results, accelerations and the drives' moments, by states, commands and parameters.
+#[test]
+fn derivatives_of_a_crane_that_luffs() {
+    let mut model = model(LUFFS);
+    for (name, value) in [
+        ("psi_sl", rad(50.0)),
+        ("theta_1", rad(60.0)),
+        ("omega_sl", 0.05),
+        ("omega_1", 0.01),
+        ("omega_x", 0.02),
+        ("omega_y", -0.01),
+    ] {
+        set(&mut model, name, value);
+    }
+    let results = [
+        "R",
+        "h_s",
+        "phi",
+        "theta",
+        "T",
+        "W_c",
+        "M_Tc",
+        "M_Vc",
+        "M_sl0",
+        "M_10",
+        "S_R",
+        "M_sl",
+        "M_1",
+        "der(v_G)",
+        "der(omega_x)",
+        "der(omega_y)",
+        "der(w_x)",
+        "der(omega_1)",
+    ];
+    let by = [
+        "psi_sl",
+        "theta_1",
+        "omega_sl",
+        "omega_1",
+        "omega_x",
+        "omega_y",
+        "r_x",
+        "Q",
+        "h_1",
+        "x_s",
+        "G_u[1]",
+        "y_u[2]",
+        "z_u[3]",
+        "J_x",
+        "T_1",
+        "omega_csl",
+        "omega_c1",
+    ];
+    differences(&mut model, &by, &results);
+}
+
+fn differences(model: &mut Model, by: &[&str], results: &[&str]) {
     for by in by {
-        let at = index(&model, by);
-        let value = get(&mut model, by);
+        let at = index(model, by);
+        let value = get(model, by);
         let quantity = model.variables()[at].quantity();
         let step = 1e-5 * value.abs().max(1e-3);
         for result in results {
-            let of = index(&model, result);
+            let of = index(model, result);
             let mut tangent = model.tangent(&|other| f64::from(other == quantity));
             let exact = model.derivative(&mut tangent, of).expect("smooth here");
             let mut ends = [step, -step].map(|step| {
-                set(&mut model, by, value + step);
-                get(&mut model, result)
+                set(model, by, value + step);
+                get(model, result)
             });
-            set(&mut model, by, value);
+            set(model, by, value);
             ends[0] -= ends[1];
             let difference = ends[0] / (2.0 * step);
-            let size = get(&mut model, result).abs().max(1e-3) / value.abs().max(1e-3);
+            let size = get(model, result).abs().max(1e-3) / value.abs().max(1e-3);
             assert!(
                 (exact - difference).abs() <= 1e-6 * size.max(exact.abs()),
                 "{result} by {by}: {exact}, {difference}"

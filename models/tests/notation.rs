@@ -74,6 +74,7 @@ const TABLES: [(&str, &[&Symbol]); 35] = [
         bridge::symbols::ALL,
     ),
     ("A crane on a hull that floats", afloat::symbols::ALL),
+    ("A luffing mechanism that something carries", luffing::aboard::ALL),
     ("Gravity", gravity::ALL),
     ("The balance of the boom system", balance::symbols::ALL),
     ("Screw, pinion or crank of a drive", drive::symbols::ALL),

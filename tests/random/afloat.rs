@@ -9,7 +9,7 @@ use lemnis_models::kernel::symbol::Symbol;
 use toml::{Table, Value};
 
 use crate::bodies::{list, row};
-use crate::luffing::working_range;
+use crate::luffing::{carried, working_range};
 use crate::scene::{Draw, Node};
 
 /// A result that every level has.
@@ -28,14 +28,25 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     let weight = density * g * long * broad * 0.2 * size;
     shape(&mut n, [long, broad, deep]);
     weights(&mut n, weight, density);
-    let (load, reach) = (n.draw.between(0.0, 0.01), n.draw.between(0.0, 0.5));
+    let luffs = n.has("luffing");
+    // Bars may reach far.
+    let load = n.draw.between(0.0, if luffs { 0.002 } else { 0.01 });
     n.set("Q", weight * load);
-    n.set("R", size * reach);
     let high = size * n.draw.between(0.0, 1.0);
     let mut crane = n.child("pedestal").expect("required");
     crane.set("x_s", 0.0);
     crane.keep("y_s", false);
-    crane.set("h_s", high);
+    crane.keep("h_s", !luffs);
+    crane.keep("h_1", luffs);
+    crane.set(if luffs { "h_1" } else { "h_s" }, high);
+    n.keep("R", !luffs);
+    if luffs {
+        luffer(&mut n, weight);
+    } else {
+        let reach = n.draw.between(0.0, 0.5);
+        n.set("R", size * reach);
+        n.remove(&["turning", "theta_1", "omega_c1"]);
+    }
     if let Some(mut wind) = n.child("wind") {
         let pressure = wind.draw.between(0.0, 0.002) * weight / (size * size);
         wind.set("p_w", pressure);
@@ -69,10 +80,42 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     table
 }
 
+/// A luffing mechanism whose weights are a small part of another one (N), and a mass that slews with it.
+fn luffer(n: &mut Node, weight: f64) {
+    let (size, g) = (n.draw.scale[0], n.draw.g);
+    let mut bars = n.child("luffing").expect("it luffs");
+    bars.keep("balance", false);
+    bars.keep("weights", true);
+    bars.keep("dynamics", true);
+    carried(&mut bars);
+    let mut bodies = bars.child("weights").expect("kept");
+    for (heavy, far) in [("G_1", "s_1"), ("G_2", "s_2"), ("G_3", "s_3")] {
+        let part = bodies.draw.between(1e-4, 1e-3);
+        bodies.set(heavy, part * weight);
+        let part = bodies.draw.between(0.0, 0.5);
+        bodies.set(far, part * size);
+    }
+    let mut inertias = bars.child("dynamics").expect("kept");
+    for name in ["J_1", "J_2", "J_3"] {
+        let part = inertias.draw.between(0.0, 1e-4);
+        inertias.set(name, (part * weight / g * size * size).min(1e17));
+    }
+    n.remove(&["theta_1"]);
+    if n.has("turning") {
+        list(n, "turning", 1, &mut |draw, _| {
+            let (own, [x, y, z]) = (
+                weight * draw.between(0.0, 0.01),
+                [0.3, 0.1, 0.5].map(|far| size * draw.between(-far, far)),
+            );
+            row(draw, &[(&s::G_U, own), (&s::X_U, x), (&s::Y_U, y), (&s::Z_U, z)])
+        });
+    }
+}
+
 /// Of a hull of a mass (kg), a length and a breadth (m) that moves; a load (N) that is no command where it stands still.
 fn motion(n: &mut Node, load: f64, [mass, long, broad]: [f64; 3]) {
     if n.text("fidelity") != Some("swing") {
-        n.remove(&["l_R", "omega_csl", "psi_sl", "dynamics"]);
+        n.remove(&["l_R", "omega_csl", "omega_c1", "psi_sl", "dynamics"]);
         let load = n.draw.written(&s::Q, load).0;
         n.put("Q", Table::from_iter([("input".to_owned(), Value::from(load))]));
         return;
@@ -85,8 +128,14 @@ fn motion(n: &mut Node, load: f64, [mass, long, broad]: [f64; 3]) {
         let speed = n.draw.between(-0.1, 0.1) / natural;
         n.set("omega_csl", speed);
     }
+    if n.has("omega_c1") {
+        // Nothing is told of where it ends.
+        n.set("omega_c1", 0.0);
+    }
+    let luffs = n.has("luffing");
     n.keep("dynamics", true);
     let mut dynamics = n.child("dynamics").expect("kept");
+    dynamics.keep("T_1", luffs);
     dynamics.keep("step", false);
     let lag = natural * dynamics.draw.between(0.3, 2.0);
     // As much as the schema takes.
@@ -99,6 +148,9 @@ fn motion(n: &mut Node, load: f64, [mass, long, broad]: [f64; 3]) {
     ] {
         dynamics.keep(name, true);
         dynamics.set(name, value);
+    }
+    if luffs {
+        dynamics.set("T_1", lag);
     }
     for (name, value) in [("d_z", mass), ("d_x", about(broad)), ("d_y", about(long))] {
         if dynamics.has(name) {

@@ -216,6 +216,12 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     table
 }
 
+/// A linkage that something else carries, with its working range.
+pub fn carried(n: &mut Node) {
+    let (_, range) = built(n);
+    working_range(n, range);
+}
+
 /// The linkage with what hangs on it, and the angles (rad) over which it works.
 fn built(n: &mut Node) -> (Linkage, [f64; 2]) {
     for tries in 0.. {

@@ -2,10 +2,11 @@
 
 use crate::afloat::hull::Floating;
 use crate::afloat::levers::{At, over, raised};
+use crate::afloat::loaded::Loaded;
 use crate::afloat::loss::{beyond, swung};
 use crate::afloat::posture::Posture;
 use crate::afloat::symbols as s;
-use crate::afloat::weights::{HullWind, Loaded, Weighed, WindageArea};
+use crate::afloat::weights::{HullWind, Weighed, WindageArea};
 use crate::component::found::{Finding, found};
 use crate::component::scalar::Scalar;
 use crate::component::stages::results;

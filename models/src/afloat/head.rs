@@ -2,9 +2,10 @@
 
 use nalgebra::Vector3;
 
+use crate::afloat::crane::HungPoint;
+use crate::afloat::loaded::Loaded;
 use crate::afloat::riding::RidingHull;
 use crate::afloat::symbols as s;
-use crate::afloat::weights::{CranePlace, Loaded};
 use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
@@ -29,15 +30,9 @@ results! { HeadPlace as h => {
 impl<C: Calc> HeadPlace<C> {
     /// s_y = cos φ (y_Q − y_G) + sin φ (h_s − z_G), s_v = cos φ (h_s − z_G) − sin φ (y_Q − y_G),
     /// s_x = cos θ (x_Q − x_G) + sin θ s_v, s_z = cos θ s_v − sin θ (x_Q − x_G); ξ = R cos ψ, η = R sin ψ.
-    pub fn new(
-        riding: &RidingHull<C>,
-        crane: &CranePlace<C>,
-        loaded: &Loaded<C>,
-        reach: &One<C>,
-        psi: &One<C>,
-    ) -> HeadPlace<C> {
+    pub fn new(riding: &RidingHull<C>, loaded: &Loaded<C>, hung: &HungPoint<C>, psi: &One<C>) -> HeadPlace<C> {
         let ([x, y, z], (sin, cos), (steep, level)) = (riding.centre, riding.roll, riding.pitch);
-        let (x, y, z) = (loaded.x - x, loaded.y - y, crane.h_s - z);
+        let (x, y, z) = (loaded.x - x, loaded.y - y, hung.height - z);
         let left = (cos * y + sin * z).def(&s::S_Y);
         let square = (cos * z - sin * y).def(&s::S_V);
         let at = Vector3::new(
@@ -46,7 +41,7 @@ impl<C: Calc> HeadPlace<C> {
             (level * square - steep * x).def(&s::S_Z),
         );
         let (aside, ahead) = psi.sin_cos();
-        let reach = [(**reach * ahead).def(&s::XI), (**reach * aside).def(&s::ETA)];
+        let reach = [(hung.reach * ahead).def(&s::XI), (hung.reach * aside).def(&s::ETA)];
         HeadPlace { at, square, reach }
     }
 

@@ -1,10 +1,11 @@
 //! Righting levers at heels, beside their wall-sided form, and areas under them.
 
 use crate::afloat::hull::Floating;
+use crate::afloat::loaded::Loaded;
 use crate::afloat::rest::{Lie, Rests, rest};
 use crate::afloat::symbols as s;
 use crate::afloat::upright::Upright;
-use crate::afloat::weights::{Loaded, Weighed};
+use crate::afloat::weights::Weighed;
 use crate::component::found::{Finding, found};
 use crate::component::scalar::Scalar;
 use crate::component::stages::results;

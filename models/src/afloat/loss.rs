@@ -2,10 +2,11 @@
 
 use crate::afloat::hull::Floating;
 use crate::afloat::levers::{At, over, raised};
+use crate::afloat::loaded::Loaded;
 use crate::afloat::posture::Posture;
 use crate::afloat::rest::{Lie, Rests, rest};
 use crate::afloat::symbols as s;
-use crate::afloat::weights::{DeadLoad, Loaded};
+
 use crate::component::found::{Finding, found};
 use crate::component::scalar::Scalar;
 use crate::component::stages::results;
@@ -154,12 +155,12 @@ impl<C: Scalar> LoadLost<C> {
     /// It rolls beyond φ_f.
     pub fn new(
         on: &Floating<C>,
-        dead: &DeadLoad<C>,
+        loaded: &Loaded<C>,
         posture: &Posture<C>,
         limit: &One<C>,
         rule: &LossRule<C>,
     ) -> Result<LoadLost<C>, Fault> {
-        let found = found::<Lost, C, 4>(&(on.clone(), dead.all, [posture.heel(), **limit]))?;
+        let found = found::<Lost, C, 4>(&(on.clone(), loaded.bare, [posture.heel(), **limit]))?;
         let [_, drives, stops, _] = found;
         Ok(LoadLost {
             found,

@@ -15,7 +15,7 @@
 //!
 //! | id | function | source |
 //! |---|---|---|
-//! | `afloat.weights` | [`weights::DeadLoad::new`], [`weights::Loaded::new`] | equilibrium; IS Code 2008, B 2.9 |
+//! | `afloat.weights` | [`weights::DeadLoad::new`], [`loaded::Loaded::new`] | equilibrium; IS Code 2008, B 2.9 |
 //! | `afloat.cut` | [`Solid::cut`](crate::parts::solid::Solid::cut) | Gauss' theorem |
 //! | `afloat.upright` | [`upright::Upright::new`], [`upright::SmallAngles::new`] | Ports001, 7.3 |
 //! | `afloat.rest` | [`rest::rest`], [`posture::Posture::new`] | equilibrium |
@@ -23,17 +23,27 @@
 //! | `afloat.loss` | [`loss::residual`], [`loss::LoadLost::new`] | 46 CFR 173, 173.020 and 173.025 |
 //! | `afloat.gust` | [`gust::Gust::new`] | Ports001, 7.3: dynamic lever |
 //! | `afloat.riding` | [`riding::RidingHull::new`], [`riding::WaterForces::new`] | geometry; virtual work |
+//! | `afloat.crane` | [`luffed::Luffed::new`], [`crane::CraneWeights::new`], [`holding::HeldAtRest::new`] | equilibrium; virtual work |
+//! | `afloat.carrying` | [`carrying::CraneAfloat::moved`], [`yielding::yielding`], [`driving::DriveMoments::new`] | Lagrange; virtual work |
 //! | `afloat.swaying` | [`head::HeadPlace::new`], [`swaying::Swaying::new`] | Lagrange, first kind |
 
+pub mod carrying;
+pub mod crane;
+mod drawing;
+pub mod driving;
 pub mod gust;
 pub mod head;
+pub mod holding;
 pub mod hull;
 pub mod levers;
+pub mod loaded;
 pub mod loss;
+pub mod luffed;
 mod outline;
 pub mod posture;
 pub mod rest;
 pub mod riding;
+mod rig;
 pub mod scene;
 mod shape;
 pub mod stages;
@@ -42,3 +52,4 @@ pub mod swaying;
 pub mod symbols;
 pub mod upright;
 pub mod weights;
+pub mod yielding;

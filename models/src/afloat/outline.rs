@@ -4,6 +4,7 @@ use crate::afloat::symbols as s;
 use crate::component::outline::Explained::Stage;
 use crate::component::outline::{Greatest, Limit, Most, Outline, SectionOutline, chapters};
 use crate::kernel::symbol::listed;
+use crate::luffing::kinds::GIVEN;
 
 /// Levers at heels, of which the book tells one with its formulas and all in a table.
 pub const LEVERS: &[SectionOutline] = &[("afloat_levers", &[Stage("levers")])];
@@ -11,24 +12,29 @@ pub const LEVERS: &[SectionOutline] = &[("afloat_levers", &[Stage("levers")])];
 pub const OUTLINE: Outline = Outline {
     inputs: chapters!(
         afloat_hull "", afloat_sections "sections", afloat_masses "masses", afloat_tanks "tanks", load "Q", load "R",
-        afloat_crane "pedestal", afloat_wind "wind", afloat_areas "wind.areas", afloat_loss "loss", afloat_gust "gust",
+        afloat_crane "pedestal", afloat_turning "turning", afloat_luffing "luffing", afloat_luffing_weights "luffing.weights",
+        afloat_luffing_balance "luffing.balance", afloat_luffing_inertias "luffing.dynamics", afloat_luffing_range "luffing.motion", afloat_wind "wind", afloat_areas "wind.areas", afloat_loss "loss", afloat_gust "gust",
         afloat_dynamics "dynamics", afloat_start, motion, limits
     ),
     constants: &[("afloat_weights", &[Stage("dead")])],
     sections: &[
+        ("afloat_luffed", &[Stage("luffed"), Stage("hung")]),
+        ("afloat_turning", &[Stage("crane")]),
         ("afloat_load", &[Stage("loaded")]),
         ("afloat_upright", &[Stage("upright")]),
         ("afloat_small", &[Stage("small")]),
         ("afloat_posture", &[Stage("posture")]),
+        ("afloat_holding", &[Stage("holding")]),
         ("afloat_residual", &[Stage("residual")]),
         ("afloat_lost", &[Stage("lost")]),
         ("afloat_gust", &[Stage("struck")]),
         ("afloat_riding", &[Stage("riding"), Stage("wetted"), Stage("clear")]),
         ("afloat_forces", &[Stage("forces")]),
         ("afloat_head", &[Stage("head")]),
-        ("afloat_swaying", &[Stage("swaying")]),
+        ("afloat_swaying", &[Stage("luffs"), Stage("swaying")]),
+        ("afloat_drives", &[Stage("drives")]),
     ],
-    table: listed!(s: PHI, THETA, T, F_LOW, PHI_M, THETA_M, PHI_2, PHI_DYN),
+    table: listed!(s: PHI, THETA, T, F_LOW, PHI_M, THETA_M, PHI_2, PHI_DYN, M_SL0, M_10),
     curves: &[
         ("afloat_heel", None, &s::PHI),
         ("afloat_trim", None, &s::THETA),
@@ -65,7 +71,9 @@ pub const OUTLINE: Outline = Outline {
         ("afloat_told", listed!(s: PHI_H)),
         ("hook", &[&s::L_R]),
         ("start", &[&s::PSI_SL]),
+        ("afloat_bars", GIVEN),
+        ("afloat_inertia", listed!(s: X_U, Y_U, Z_U)),
     ],
-    forces: listed!(s: M_L, M_T),
+    forces: listed!(s: M_L, M_T, M_SL0, M_10),
     worst: &[("greatest_heel", &s::PHI_MAX), ("greatest_trim", &s::THETA_MAX)],
 };

@@ -1,10 +1,11 @@
 //! Heel, trim, draft and freeboards under the load.
 
 use crate::afloat::hull::{BoxHull, Floating};
+use crate::afloat::loaded::Loaded;
 use crate::afloat::rest::{Rests, rest};
 use crate::afloat::symbols as s;
 use crate::afloat::upright::Upright;
-use crate::afloat::weights::{Loaded, Weighed};
+use crate::afloat::weights::Weighed;
 use crate::component::found::{Finding, found};
 use crate::component::scalar::Scalar;
 use crate::component::stages::results;
@@ -74,6 +75,11 @@ impl<C: Calc> Posture<C> {
     /// In rad.
     pub fn heel(&self) -> C {
         self.angles[0]
+    }
+
+    /// Of the deck from the horizontal, in rad.
+    pub fn inclination(&self) -> C {
+        self.angles[2]
     }
 
     /// Draft (m), slopes of the water along and across the hull.

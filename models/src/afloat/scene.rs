@@ -1,16 +1,17 @@
 //! A floating crane as scenes describe it and books tell it.
 
+use crate::afloat::drawing::drawn;
 use crate::afloat::gust::GustGiven;
 use crate::afloat::levers::{ToldHeel, raised};
 use crate::afloat::loss::LossRule;
 use crate::afloat::outline::{LEVERS, OUTLINE};
+use crate::afloat::rig::{CraneRig, PEDESTAL, TURNING};
 use crate::afloat::shape;
 use crate::afloat::stages::{FloatingCrane, Given, MadeInputs};
 use crate::afloat::start::{self, DYNAMICS, MOVING, MovingHull};
 use crate::afloat::symbols as s;
-use crate::afloat::weights::{CranePlace, HullMass, HullWind, TankGiven, Weighed, WindageArea};
+use crate::afloat::weights::{HullMass, HullWind, TankGiven, Weighed, WindageArea};
 use crate::component::description::{Described, Description, Vocabulary};
-use crate::component::draw::Draw;
 use crate::component::mechanism::{Entry, Solver};
 use crate::component::moving::MovingComponent;
 use crate::component::moving::smooth::SmoothPieces;
@@ -26,12 +27,13 @@ use crate::kernel::group::One;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Kind, SOURCE, Values};
 use crate::kernel::sign::Sign;
-use crate::kernel::symbol::Symbol;
+use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::unit::M_DEG;
 use crate::kernel::variable::Fault;
+use crate::luffing::aboard;
+use crate::luffing::kinds::CARRIED;
 use crate::parts::hanging;
 use crate::parts::motion::Motion;
-use crate::parts::plane::Point;
 
 /// Most masses, tanks, areas, sections and points of each.
 const MANY: usize = 64;
@@ -40,8 +42,9 @@ const MOST_POINTS: usize = 100;
 
 /// Keys of `[hull]`.
 pub const KEYS: &[Key] = keys! { s:
-    RHO_W > 0 [usually(1025.0)], L > 0 [optional], B > 0 [optional], D > 0 [optional], R [or_input], Q >= 0 [or_mass, or_input, over_time],
-    PHI_F > 0 [optional], L_R > 0 [optional], OMEGA_CSL [over_time, optional], PSI_SL [optional];
+    RHO_W > 0 [usually(1025.0)], L > 0 [optional], B > 0 [optional], D > 0 [optional], R [or_input, optional], Q >= 0 [or_mass, or_input, over_time],
+    PHI_F > 0 [optional], L_R > 0 [optional], OMEGA_CSL [over_time, optional], PSI_SL [optional], OMEGA_C1 [over_time, optional],
+    THETA_1 [optional];
     Key::choice(
         "fidelity",
         &["static", "swing"],
@@ -53,6 +56,8 @@ pub const KEYS: &[Key] = keys! { s:
     Key::new("masses", Kind::Tables(MASS, MANY), "The hull and all that stands on it, without liquids in tanks and the load."),
     Key::new("tanks", Kind::Tables(TANK, MANY), "Rectangular tanks that are not full.").optional(),
     Key::table("pedestal", PEDESTAL, "Where the crane stands, and how high its load is hung."),
+    Key::new("turning", Kind::Tables(TURNING, MANY), "Masses that slew with a crane that luffs, besides its luffing mechanism.").optional(),
+    CARRIED,
     Key::part("wind", WIND, "Wind on the hull and the crane."),
     Key::new("heels", Kind::Quantities(&s::PHI_H, Sign::Positive, [1, MANY]), "Heels at which righting levers are told.").optional(),
     Key::kinds("loss", LOSS, "What a loss of load is judged by."),
@@ -74,7 +79,6 @@ static MASS: &[Key] = keys! { s: G_M [or_mass], X_M, Y_M [usually(0.0)], Z_M };
 static TANK: &[Key] = keys! { s:
     RHO_T > 0 [usually(1000.0)], L_T > 0, B_T > 0, D_T > 0, H_T > 0, X_T, Y_T [usually(0.0)], Z_T [usually(0.0)]
 };
-static PEDESTAL: &[Key] = keys! { s: X_S, Y_S [usually(0.0)], H_S [or_input] };
 static AREA: &[Key] = keys! { s: A_W >= 0, Z_W };
 static WIND: &[Key] = keys! { s: P_W >= 0 [or_input], CHI_W, Z_L;
     Key::new("areas", Kind::Tables(AREA, MANY), "Areas on which it acts, with their heights.")
@@ -181,9 +185,10 @@ impl Described for AfloatScene {
     const ID: &'static str = "afloat";
     const TABLE: &'static str = "hull";
     const OUTLINE: &'static Outline = &OUTLINE;
+    const FOLLOWED: &'static [&'static Symbol] = listed!(s: M_SL, M_1);
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "afloat_symbol",
-        own: &[s::ALL],
+        own: &[s::ALL, aboard::ALL],
         shared: &[gravity::ALL, hanging::ALL],
     };
 
@@ -192,10 +197,9 @@ impl Described for AfloatScene {
         let range = Motion::read(v.table("motion")?, found)?;
         suits(v, found);
         start::suits(v, found);
+        let rig = CraneRig::read(v, gravity, found);
         let (built, offsets, wind) = (shape::built(v, found), shape::sections(v, found), v.table("wind"));
-        if found.len() > before {
-            return None;
-        }
+        let rig = rig.filter(|_| found.len() == before)?;
         let one = |symbol: &'static Symbol| v.of(symbol).map(|value| One(symbol, value));
         let open = |of: &Values, symbol: &'static Symbol| {
             (of.is_input(symbol.id) || of.course(symbol.id).is_some()).then_some(symbol)
@@ -209,9 +213,11 @@ impl Described for AfloatScene {
         let mut given = Given {
             psi: One(&s::PSI_SL, range.from),
             omega: One(&s::OMEGA_SL, range.speed),
-            reach: one(&s::R)?,
+            reach: rig.reach,
             load: one(&s::Q)?,
-            crane: CranePlace::read(v)?,
+            place: rig.place,
+            height: rig.height,
+            turning: rig.turning,
             density: one(&s::RHO_W)?,
             built,
             masses: each(v, "masses", HullMass::read)?,
@@ -229,14 +235,19 @@ impl Described for AfloatScene {
             gravity: One(&s::G, gravity),
             buoyed: None,
             servo: None,
+            luffing_servo: None,
             command: None,
+            luffing_command: None,
+            held: rig.held,
             moved: None,
             roped: None,
+            luffing: None,
             offsets,
+            luffer: rig.luffer,
             inputs: MadeInputs(inputs.into_iter().flatten().collect()),
         };
         let ratio = v.table("loss").is_some_and(|loss| loss.text("kind") == Some("ratio"));
-        let moves = MovingHull::read(v, range.from);
+        let moves = MovingHull::read(v, range.from, rig.command);
         let step = moves.and_then(|moves| moves.begin(v, &mut given, found));
         (found.len() == before).then_some((AfloatScene { given, ratio, step }, range))
     }
@@ -254,6 +265,9 @@ impl Described for AfloatScene {
             let given = &mut self.given;
             (given.buoyed, given.servo, given.command) = (None, None, None);
             (given.moved, given.roped, self.step) = (None, None, None);
+            (given.luffing_servo, given.luffing_command) = (None, None);
+            let luffing = given.luffing.take();
+            given.held = luffing.map(|luffing| One(&s::THETA_1, luffing.theta_1)).or(given.held);
         }
     }
 
@@ -269,6 +283,9 @@ impl Described for AfloatScene {
         let mut start = vec![this.given.psi.1, this.given.omega.1];
         this.given.moved?.map(&mut |_, value| start.push(value));
         this.given.roped?.map(&mut |_, value| start.push(value));
+        this.given
+            .luffing
+            .map(|luffing| luffing.map(&mut |_, value| start.push(value)));
         Some(MovingComponent::new(this.standing(), |model| {
             Ok(Box::new(SmoothPieces::new(model, &start, step)?))
         }))
@@ -302,6 +319,9 @@ impl Described for AfloatScene {
         }
         if let Some(load) = &self.given.roped {
             load.map(&mut stands);
+        }
+        if let Some(luffing) = &self.given.luffing {
+            luffing.map(&mut stands);
         }
     }
 
@@ -358,8 +378,14 @@ impl Described for AfloatScene {
             None => ["afloat_level_static", "afloat_hung", "afloat_liquids"],
             Some(_) => ["afloat_level_swing", "afloat_heading", "afloat_water_added"],
         };
+        let slews = match (&this.given.luffer, this.step) {
+            (Some(_), Some(_)) => Some("afloat_crane_moves"),
+            (Some(_), None) => Some("afloat_crane_stands"),
+            (None, Some(_)) => Some("afloat_weightless"),
+            (None, None) => None,
+        };
         let wind = this.given.wind.map(|_| "afloat_wind");
-        own.into_iter().chain(wind).chain(rule).collect()
+        own.into_iter().chain(slews).chain(wind).chain(rule).collect()
     }
 
     fn uncovered(this: &Description<AfloatScene>) -> Vec<&'static str> {
@@ -413,37 +439,7 @@ impl Described for AfloatScene {
         this.motion.at(0.25)
     }
 
-    /// From the bow: the midship section with the water as it stands, and the load's point of suspension.
     fn drawing(this: &Description<AfloatScene>, at: f64) -> Drawing {
-        let mut draw = Draw::default();
-        let mut known = FloatingCrane::new(this.given.clone());
-        known.psi().1 = at;
-        let outline: Vec<Point<f64>> = match (&this.given.built, &this.given.offsets) {
-            (Some(hull), _) => {
-                let half = hull.b / 2.0;
-                [[half, 0.0], [half, hull.d], [-half, hull.d], [-half, 0.0]]
-                    .map(|[y, z]| Point::new(y, z))
-                    .to_vec()
-            }
-            (_, Some(offsets)) => {
-                let sections: Vec<_> = offsets.mesh.points.chunks(2 * offsets.half).collect();
-                sections[sections.len() / 2]
-                    .iter()
-                    .map(|point| Point::new(point[1], point[2]))
-                    .collect()
-            }
-            _ => Vec::new(),
-        };
-        let size = outline.iter().map(|point| point.norm()).fold(1e-3, f64::max);
-        draw.body(&outline, false);
-        if let Ok(posture) = known.posture() {
-            let (draft, slope) = posture.midship();
-            let water = |y: f64| Point::new(y, draft + y * slope);
-            draw.bar(&[water(-1.4 * size), water(1.4 * size)], true);
-            draw.angle(water(0.0), 1.25 * size, Calc::direction(1.0, slope), &s::PHI);
-        }
-        draw.axis(0.0, -0.15 * size, 0.6 * size);
-        draw.joint(Point::new(0.0, 0.0), "O", false, false);
-        draw.done(size)
+        drawn(&this.given, at)
     }
 }

@@ -1,16 +1,22 @@
 //! A floating crane as a component: what it is given, and in which stages its equations follow from each other.
 
+use crate::afloat::carrying::CraneAfloat;
+use crate::afloat::crane::{CraneWeights, HungPoint, TurningMass};
+use crate::afloat::driving::{DriveMoments, LuffingCommand, LuffingServo, luffing};
 use crate::afloat::gust::{Gust, GustGiven};
 use crate::afloat::head::HeadPlace;
+use crate::afloat::holding::HeldAtRest;
 use crate::afloat::hull::{BoxHull, Floating, Offsets};
 use crate::afloat::levers::{RightingLever, ToldHeel, levers};
+use crate::afloat::loaded::Loaded;
 use crate::afloat::loss::{LoadLost, LossRule, residual};
+use crate::afloat::luffed::{Luffed, Luffer, LuffingMotion};
 use crate::afloat::posture::Posture;
 use crate::afloat::riding::{BuoyedMass, HullMotion, RidingHull, WaterForces, WettedHull, clearing};
 use crate::afloat::swaying::{RopedLoad, SlewingCommand, SlewingServo, Swaying, SwayingRates};
 use crate::afloat::symbols as s;
 use crate::afloat::upright::{SmallAngles, Upright};
-use crate::afloat::weights::{CranePlace, DeadLoad, HullMass, HullWind, Loaded, TankGiven, WindageArea};
+use crate::afloat::weights::{CranePlace, DeadLoad, HullMass, HullWind, TankGiven, WindageArea};
 use crate::component::part::{Component, Port, ports};
 use crate::component::stages::{Found, stages};
 use crate::kernel::group::{One, group};
@@ -26,9 +32,11 @@ stages! {
     FloatingCrane over C from {
         Coordinate psi: One<C>,
         Rate omega: One<C>,
-        Parameter reach: One<C>,
+        Parameter reach: Option<One<C>>,
         Parameter load: One<C>,
-        Parameter crane: CranePlace<C>,
+        Parameter place: CranePlace<C>,
+        Parameter height: One<C>,
+        Parameter turning: Vec<TurningMass<C>>,
         Parameter density: One<C>,
         Parameter built: Option<BoxHull<C>>,
         Parameter masses: Vec<HullMass<C>>,
@@ -42,30 +50,44 @@ stages! {
         Parameter gravity: One<C>,
         Parameter buoyed: Option<BuoyedMass<C>>,
         Parameter servo: Option<SlewingServo<C>>,
+        Parameter luffing_servo: Option<LuffingServo<C>>,
         Input command: Option<SlewingCommand<C>>,
+        Input luffing_command: Option<LuffingCommand<C>>,
+        Input held: Option<One<C>>,
         State moved: Option<HullMotion<C>>,
         State roped: Option<RopedLoad<C>>,
+        State luffing: Option<LuffingMotion<C>>,
         Fixed offsets: Option<Offsets>,
+        Fixed luffer: Option<Luffer>,
         Fixed inputs: MadeInputs,
     } find {
         floating: Floating<C> = Floating::new(built, offsets, tanks, density, gravity) => _;
         dead: DeadLoad<C> = DeadLoad::new(masses, tanks, gravity, wind, areas);
-        loaded: Loaded<C> = Loaded::new(psi, dead, crane, reach, load);
+        luffed: Luffed<C> = Luffed::new(luffer[!], held, luffing);
+        hung: HungPoint<C> = HungPoint::new(reach, height, luffed[?]);
+        crane: CraneWeights<C> = CraneWeights::new(psi, place, height, luffed, turning);
+        loaded: Loaded<C> = Loaded::new(psi, dead, place, hung, load, crane[?]);
         upright: Upright<C> = Upright::new(floating, density, gravity, tanks, loaded);
         small: SmallAngles<C> = SmallAngles::new(loaded, upright);
         posture: Posture<C> = Posture::new(built, floating, psi, load, loaded, upright);
+        holding: HeldAtRest<C> = HeldAtRest::new(psi, load, luffed, crane, posture);
         levers[heels]: Vec<RightingLever<C>> = levers(floating, loaded, upright, heels);
         residual: C = residual(floating, loaded, posture, limit[!]) => A_RES;
-        lost: LoadLost<C> = LoadLost::new(floating, dead, posture, limit[!], rule[!]);
+        lost: LoadLost<C> = LoadLost::new(floating, loaded, posture, limit[!], rule[!]);
         struck: Gust<C> = Gust::new(floating, loaded, posture, limit[!], gust[!], wind[!], areas);
         riding: RidingHull<C> = RidingHull::new(moved[!], dead);
         wetted: WettedHull<C> = WettedHull::new(floating, riding);
         clear: C = clearing(floating, riding) => F_M;
-        head: HeadPlace<C> = HeadPlace::new(riding, crane, loaded, reach, psi);
+        head: HeadPlace<C> = HeadPlace::new(riding, loaded, hung, psi);
         forces: WaterForces<C> = WaterForces::new(moved[!], buoyed[!], riding, dead, wetted, density, gravity);
+        carrying: CraneAfloat<C> = CraneAfloat::new(
+            psi, omega, place, height, luffed, luffing[!], turning, moved[!], riding, gravity) => _;
+        luffs: C = luffing(luffing_servo[!], luffing_command[!], luffing[!]) => _;
         swaying: Swaying<C> = Swaying::new(
-            moved[!], buoyed[!], roped[!], servo[!], command[!], riding, head, forces, dead, load, gravity, omega);
-        rates: SwayingRates<C> = SwayingRates::new(omega, moved[!], swaying);
+            moved[!], buoyed[!], roped[!], servo[!], command[!], riding, head, forces, dead, load, gravity, omega, luffs[?],
+            carrying[?]);
+        drives: DriveMoments<C> = DriveMoments::new(carrying, swaying, luffs);
+        rates: SwayingRates<C> = SwayingRates::new(omega, moved[!], swaying, luffing, luffs[?]);
     }
 }
 
@@ -74,7 +96,7 @@ impl Component for FloatingCrane {
         listed!(s: PSI_SL, OMEGA_SL),
         listed!(s:
             D_PSI_SL, D_OMEGA_SL, D_H_G, D_PHI_X, D_THETA_Y, D_V_G, D_OMEGA_X, D_OMEGA_Y, D_R_X, D_R_Y, D_R_Z, D_W_X, D_W_Y,
-            D_W_Z
+            D_W_Z, D_THETA_1, D_OMEGA_1
         ),
     ];
 
@@ -84,10 +106,14 @@ impl Component for FloatingCrane {
         hull "Hull on the water.": heel PHI, trim THETA, draft T;
     };
 
-    /// What wind, tanks and points of sections would give is no result without them.
+    /// What wind, tanks, masses that slew and a luffing mechanism would give is no result without them.
     fn has(given: &Given<f64>, symbol: &'static Symbol) -> bool {
         let there = |of: &[&'static Symbol]| of.contains(&symbol);
-        (given.wind.is_some() || !there(listed!(s: M_W))) && (!given.tanks.is_empty() || !there(listed!(s: GG, GG_L)))
+        (given.wind.is_some() || !there(listed!(s: M_W)))
+            && (!given.tanks.is_empty() || !there(listed!(s: GG, GG_L)))
+            && (!given.turning.is_empty() || !there(listed!(s: M_ETA)))
+            && (given.luffer.is_some() || !there(listed!(s: H_S)))
+            && (given.luffing.is_some() || !there(listed!(s: D_THETA_1, D_OMEGA_1)))
     }
 
     fn is_input(given: &Given<f64>, symbol: &'static Symbol) -> bool {

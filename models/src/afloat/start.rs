@@ -1,5 +1,7 @@
 //! A floating crane that moves, as scenes describe it: it begins at rest under its load.
 
+use crate::afloat::driving::{LuffingCommand, LuffingServo};
+use crate::afloat::luffed::LuffingMotion;
 use crate::afloat::riding::{BuoyedMass, HullMotion};
 use crate::afloat::stages::{FloatingCrane, Given, Known};
 use crate::afloat::swaying::{RopedLoad, SlewingCommand, SlewingServo};
@@ -14,11 +16,11 @@ use crate::kernel::symbol::Symbol;
 use crate::parts::motion::short_step;
 
 /// Keys of the hull that say something of the motion alone, with the table of what moves.
-pub const MOVING: [&str; 4] = ["l_R", "omega_csl", "psi_sl", "dynamics"];
+pub const MOVING: [&str; 5] = ["l_R", "omega_csl", "psi_sl", "omega_c1", "dynamics"];
 
 pub static DYNAMICS: &[Key] = keys! { s:
     M_A >= 0, J_X > 0, J_Y > 0, D_Z >= 0 [usually(0.0)], D_X >= 0 [usually(0.0)], D_Y >= 0 [usually(0.0)],
-    T_SL > 0 [usually(2.0)], STEP > 0 [optional]
+    T_SL > 0 [usually(2.0)], T_1 > 0 [usually(2.0)], STEP > 0 [optional]
 };
 
 /// Longest step of the solver over the time in which the fastest part turns by one radian, and the shortest that may be given
@@ -68,6 +70,7 @@ pub struct MovingHull {
     pub buoyed: BuoyedMass<f64>,
     pub servo: SlewingServo<f64>,
     pub command: SlewingCommand<f64>,
+    luffing: (LuffingServo<f64>, LuffingCommand<f64>),
     pub roped: RopedLoad<f64>,
     /// Slewing angle at the start, in rad.
     pub psi: f64,
@@ -75,7 +78,7 @@ pub struct MovingHull {
 
 impl MovingHull {
     /// Of a scene whose hull moves, from the start of its working range where nothing else is given.
-    pub fn read(v: &Values, from: f64) -> Option<MovingHull> {
+    pub fn read(v: &Values, from: f64, luffing: LuffingCommand<f64>) -> Option<MovingHull> {
         let dynamics = v.table("dynamics").filter(|_| v.text("fidelity") == Some("swing"))?;
         let n = |symbol: &Symbol, usual| v.number(symbol.id).unwrap_or(usual);
         Some(MovingHull {
@@ -84,6 +87,7 @@ impl MovingHull {
             command: SlewingCommand {
                 omega_c: n(&s::OMEGA_CSL, 0.0),
             },
+            luffing: (LuffingServo::read(dynamics)?, luffing),
             roped: hanging(v.of(&s::L_R)?),
             psi: n(&s::PSI_SL, from),
         })
@@ -106,6 +110,14 @@ impl MovingHull {
         (given.psi, given.omega) = (One(&s::PSI_SL, self.psi), One(&s::OMEGA_SL, 0.0));
         (given.buoyed, given.servo, given.command) = (Some(self.buoyed), Some(self.servo), Some(self.command));
         (given.moved, given.roped) = (Some(motion), Some(self.roped));
+        if let Some(held) = given.held.take() {
+            let (servo, command) = self.luffing;
+            (given.luffing_servo, given.luffing_command) = (Some(servo), Some(command));
+            given.luffing = Some(LuffingMotion {
+                theta_1: held.1,
+                omega_1: 0.0,
+            });
+        }
         Some(dynamics.of(&s::STEP).unwrap_or(longest))
     }
 
@@ -116,7 +128,13 @@ impl MovingHull {
         let given = FloatingCrane::given(known);
         let (g, density) = (given.gravity.1, given.density.1);
         let BuoyedMass { m_a, j_x, j_y, .. } = self.buoyed;
+        let luffing = if given.luffer.is_some() {
+            self.luffing.0.t_1.powi(-2)
+        } else {
+            0.0
+        };
         let squares = [
+            luffing,
             density * g * upright.waterplane() / (weight / g + m_a),
             weight * upright.height[0] / j_x,
             weight * upright.height[1] / j_y,

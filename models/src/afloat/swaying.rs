@@ -6,11 +6,15 @@
 
 use nalgebra::Vector3;
 
+use crate::afloat::carrying::CraneAfloat;
 use crate::afloat::head::HeadPlace;
+use crate::afloat::luffed::LuffingMotion;
 use crate::afloat::riding::{BuoyedMass, HullMotion, RidingHull, WaterForces};
 use crate::afloat::symbols as s;
 use crate::afloat::weights::DeadLoad;
-use crate::component::stages::results;
+use crate::afloat::yielding::{DrivenHull, yielding};
+use crate::component::scalar::Scalar;
+use crate::component::stages::{absent, results};
 use crate::kernel::calc::Calc;
 use crate::kernel::group::{One, quantities};
 use crate::kernel::symbol::{Symbol, listed};
@@ -35,11 +39,12 @@ quantities! {
 /// How hull and load accelerate (m/s², rad/s²), the rope's force (N), and where the load is from the head.
 #[derive(Clone, Copy, Debug)]
 pub struct Swaying<C> {
-    slewing: C,
-    hull: [C; 3],
+    pub slewing: C,
+    pub hull: [C; 3],
     speed: Vector3<C>,
     load: Vector3<C>,
-    rope: C,
+    pub rope: C,
+    pub along: Vector3<C>,
     place: Vector3<C>,
 }
 results! { Swaying as w => {
@@ -62,9 +67,10 @@ fn rope<C: Calc>(load: &RopedLoad<C>) -> (Vector3<C>, C, Vector3<C>) {
     (along, length, speed - along * excess)
 }
 
-impl<C: Calc> Swaying<C> {
-    /// With arms a_i = n · ∂s/∂q_i and S_R = m_Q a_R: a_R (1 + m_Q Σ a_i²/m_i) = w²/s_Q − g n_z − n · c − Σ a_i F_i/m_i, and each
-    /// coordinate accelerates with (F_i + a_i S_R)/m_i, the load from the head with −g e_z − a_R n − c − Σ ∂s/∂q_i q̈_i.
+impl<C: Scalar> Swaying<C> {
+    /// With arms a_i = n · ∂s/∂q_i and S_R = m_Q a_R: a_R (1 + Σ a_i κ_i) = w²/s_Q − g n_z − n · c − Σ a_i b_i, and each
+    /// coordinate accelerates with b_i + κ_i a_R, the load from the head with −g e_z − a_R n − c − Σ ∂s/∂q_i q̈_i; without a crane
+    /// that weighs b_i = F_i/m_i and κ_i = m_Q a_i/m_i.
     ///
     /// # Errors
     /// A rope that would push.
@@ -82,11 +88,11 @@ impl<C: Calc> Swaying<C> {
         load: &One<C>,
         gravity: &One<C>,
         omega: &One<C>,
+        luffing: Option<&C>,
+        crane: Option<&CraneAfloat<C>>,
     ) -> Result<Swaying<C>, Fault> {
         let (along, length, speed) = rope(roped);
         let slewing = ((command.omega_c - **omega) / servo.t_sl).def(&s::D_OMEGA_SL);
-        let rates = [motion.omega_x, motion.omega_y, **omega];
-        let carried = head.carried(riding, rates, slewing);
         let [rolled, pitched, _] = head.turned(riding);
         let arms = [
             along.z,
@@ -94,12 +100,26 @@ impl<C: Calc> Swaying<C> {
             dot(along, pitched).def(&s::A_THETA),
         ];
         let heaving = (dead.all.weight / **gravity + buoyed.m_a).def(&s::M_0);
-        let (mass, masses) = ((**load / **gravity).def(&s::M_Q), [heaving, buoyed.j_x, buoyed.j_y]);
+        let mass = (**load / **gravity).def(&s::M_Q);
+        let on = DrivenHull {
+            forces: forces.all,
+            masses: [heaving, buoyed.j_x, buoyed.j_y],
+            drives: [slewing, luffing.copied().unwrap_or(C::constant(0.0))],
+            arms,
+            load: mass,
+        };
+        let (carried, free, pulled) = match crane {
+            Some(crane) => yielding(crane, on)?,
+            None => {
+                let rates = [motion.omega_x, motion.omega_y, **omega];
+                (head.carried(riding, rates, slewing), on.alone(), on.pulled())
+            }
+        };
         let mut need = squared(speed) / length - **gravity * along.z - dot(along, carried);
         let mut give = C::constant(1.0);
         for i in 0..3 {
-            need -= arms[i] * forces.all[i] / masses[i];
-            give += mass * arms[i].square() / masses[i];
+            need -= arms[i] * free[i];
+            give += arms[i] * pulled[i];
         }
         let pull = (need.def(&s::A_N) / give.def(&s::KAPPA_R)).def(&s::A_R);
         // What is left of a lost load pushes nothing.
@@ -112,7 +132,7 @@ impl<C: Calc> Swaying<C> {
         }
         let force = (mass * pull).def(&s::S_R);
         let names: &[&'static Symbol; 3] = listed!(s: D_V_G, D_OMEGA_X, D_OMEGA_Y);
-        let hull = [0, 1, 2].map(|i| ((forces.all[i] + arms[i] * force) / masses[i]).def(names[i]));
+        let hull = [0, 1, 2].map(|i| (free[i] + pulled[i] * pull).def(names[i]));
         let own = -(along * pull) - carried - rolled * hull[1] - pitched * hull[2];
         let fall = Vector3::new(
             own.x.def(&s::D_W_X),
@@ -125,6 +145,7 @@ impl<C: Calc> Swaying<C> {
             speed,
             load: fall,
             rope: force,
+            along,
             place: Vector3::new(roped.r_x, roped.r_y, roped.r_z),
         })
     }
@@ -136,6 +157,7 @@ pub struct SwayingRates<C> {
     slewing: [C; 2],
     hull: [C; 6],
     load: [Vector3<C>; 2],
+    luffing: Option<[C; 2]>,
 }
 results! { SwayingRates as r => {
     D_PSI_SL: r.slewing[0];
@@ -152,15 +174,24 @@ results! { SwayingRates as r => {
     D_W_X: r.load[1].x;
     D_W_Y: r.load[1].y;
     D_W_Z: r.load[1].z;
+    D_THETA_1: r.luffing.ok_or_else(absent)?[0];
+    D_OMEGA_1: r.luffing.ok_or_else(absent)?[1];
 } }
 
 impl<C: Calc> SwayingRates<C> {
-    pub fn new(omega: &One<C>, motion: &HullMotion<C>, swaying: &Swaying<C>) -> SwayingRates<C> {
+    pub fn new(
+        omega: &One<C>,
+        motion: &HullMotion<C>,
+        swaying: &Swaying<C>,
+        luffing: &Option<LuffingMotion<C>>,
+        luffs: Option<&C>,
+    ) -> SwayingRates<C> {
         let [heaving, rolling, pitching] = swaying.hull;
         SwayingRates {
             slewing: [**omega, swaying.slewing],
             hull: [motion.v_g, motion.omega_x, motion.omega_y, heaving, rolling, pitching],
             load: [swaying.speed, swaying.load],
+            luffing: luffing.zip(luffs).map(|(luffing, luffs)| [luffing.omega_1, *luffs]),
         }
     }
 }

@@ -2,6 +2,7 @@
 
 pub use crate::kernel::gravity::G;
 use crate::kernel::symbol::symbols;
+pub use crate::luffing::aboard::{OMEGA_1, THETA_1};
 pub use crate::parts::hanging::{KAPPA_R, L_R, S_R};
 
 symbols! {
@@ -32,6 +33,11 @@ symbols! {
     X_S: "x_s" "x_s" M / M, "Slewing axis, forward of the origin.", "input";
     Y_S: "y_s" "y_s" M / M, "Slewing axis, to the left of the centre line.", "input";
     H_S: "h_s" "h_s" M / M, "Height of the load's point of suspension above the keel.", "input";
+    H_1: "h_1" "h_1" M / M, "Height of the luffing mechanism's foot above the keel.", "input";
+    G_U: "G_u" "G_(u i)" N / KN [not_negative], "Weight of a mass that slews with the crane.", "input";
+    X_U: "x_u" "x_(u i)" M / M, "Centre of gravity of a mass that slews, from the slewing axis toward the load.", "input";
+    Y_U: "y_u" "y_(u i)" M / M, "Centre of gravity of a mass that slews, to the left of the boom's plane.", "input";
+    Z_U: "z_u" "z_(u i)" M / M, "Centre of gravity of a mass that slews, above the keel.", "input";
     R: "R" "R" M / M, "Reach: distance of the load from the slewing axis.", "input";
     Q: "Q" "Q" N / KN [not_negative], "Weight of the load with hook block or grab.", "input";
     P_W: "p_w" "p_\"w\"" PA / PA [not_negative], "Pressure of the wind.", "input";
@@ -58,6 +64,28 @@ symbols! {
     M_L: "M_L" "M_L" N_M / KN_M, "Moment of all weights, and of the wind, about the axis across the hull; positive lowers the bow.", "equilibrium";
     M_T: "M_T" "M_T" N_M / KN_M, "Moment of all weights, and of the wind, about the centre line; positive lowers the left side.", "equilibrium";
     Z_G: "z_G" "z_G" M / M, "Centre of gravity above the keel (KG), the load at its point of suspension.", "[IS Code 2008, B 2.9]";
+
+    // What slews, with its luffing mechanism.
+    H_A: "h_A" "h_A" M / M, "Height of the head above the luffing mechanism's foot.", "derived";
+    DR: "dR" "R'" M / M, "Travel of the head away from the slewing axis for one radian of luffing.", "dual numbers";
+    DH_A: "dh_A" "h'_A" M / M, "Rise of the head for one radian of luffing.", "dual numbers";
+    W_1: "W_1" "W_1" N / KN, "Weight of the luffing mechanism, with its counterweight.", "derived";
+    M_R1: "M_r1" "M_(r 1)" N_M / KN_M, "Moment of the luffing mechanism's weights about the slewing axis, toward the load.", "equilibrium";
+    M_H1: "M_h1" "M_(h 1)" N_M / KN_M, "Moment of the luffing mechanism's weights by their heights above its foot.", "equilibrium";
+    DM_R1: "dM_r1" "M'_(r 1)" N_M / KN_M, "Change of the moment about the slewing axis for one radian of luffing.", "dual numbers";
+    DM_H1: "dM_h1" "M'_(h 1)" N_M / KN_M, "Change of the moment by heights for one radian of luffing.", "dual numbers";
+    W_C: "W_c" "W_c" N / KN, "Weight of all that slews, without load.", "derived";
+    M_XI: "M_xi" "M_xi" N_M / KN_M, "Moment of what slews, without load, about the slewing axis, toward the load.", "equilibrium";
+    M_ETA: "M_eta" "M_eta" N_M / KN_M, "Moment of what slews about the slewing axis, to the left of the boom's plane.", "equilibrium";
+    M_LC: "M_Lc" "M_(L c)" N_M / KN_M, "Moment of what slews, without load, about the axis across the hull.", "equilibrium";
+    M_TC: "M_Tc" "M_(T c)" N_M / KN_M, "Moment of what slews, without load, about the centre line.", "equilibrium";
+    M_VC: "M_Vc" "M_(V c)" N_M / KN_M, "Moment of what slews, without load, about the keel.", "equilibrium";
+    M_XS: "M_xs" "M_(x s)" N_M / KN_M, "Moment of what slews with the load about the slewing axis, along the hull.", "equilibrium";
+    M_YS: "M_ys" "M_(y s)" N_M / KN_M, "Moment of what slews with the load about the slewing axis, across the hull.", "equilibrium";
+    DM_R: "dM_r" "M'_r" N_M / KN_M, "Change of the moment about the slewing axis for one radian of luffing, with the load.", "virtual work";
+    DM_H: "dM_h" "M'_h" N_M / KN_M, "Change of the moment by heights for one radian of luffing, with the load.", "virtual work";
+    M_SL0: "M_sl0" "M_(\"sl\" 0)" N_M / KN_M, "Moment that holds slewing at rest on the hull as it lies; positive counter-clockwise, seen from above.", "virtual work";
+    M_10: "M_10" "M_(1 0)" N_M / KN_M, "Moment that holds the luffing mechanism's driving link at rest on the hull as it lies; positive raises it.", "virtual work";
 
     // Upright.
     NABLA: "nabla" "nabla" M3 / M3, "Displaced volume.", "equilibrium";
@@ -127,6 +155,8 @@ symbols! {
     // Given of the motion.
     OMEGA_CSL: "omega_csl" "omega_(c \"sl\")" RAD_PER_S / DEG_PER_S, "Commanded angular velocity of slewing.", "input";
     T_SL: "T_sl" "T_\"sl\"" S / S [positive], "Time constant with which slewing follows its command.", "input";
+    OMEGA_C1: "omega_c1" "omega_(c 1)" RAD_PER_S / DEG_PER_S, "Commanded angular velocity of luffing.", "input";
+    T_1: "T_1" "T_1" S / S [positive], "Time constant with which luffing follows its command.", "input";
     M_A: "m_a" "m_a" KG / T [not_negative], "Mass of water that goes up and down with the hull.", "input";
     J_X: "J_x" "J_x" KG_M2 / T_M2 [positive], "Inertia of all but the load about an axis along the hull through their centre of gravity, with the water that rolls too.", "input";
     J_Y: "J_y" "J_y" KG_M2 / T_M2 [positive], "Inertia of all but the load about an axis across the hull through their centre of gravity, with the water that pitches too.", "input";
@@ -189,12 +219,22 @@ symbols! {
     M_0: "m_0" "m_0" KG / T, "Mass that heaves, with the water that goes with it.", "derived";
     A_N: "a_N" "a_N" M_PER_S2 / M_PER_S2, "Acceleration along the rope that its force must take from the load.", "Lagrange";
     A_R: "a_R" "a_R" M_PER_S2 / M_PER_S2, "Force of the rope over the mass of the load.", "Lagrange";
+    B_Z: "b_z" "b_z" M_PER_S2 / M_PER_S2, "Acceleration of heaving without the rope.", "Lagrange";
+    B_PHI: "b_phi" "b_phi" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of rolling without the rope.", "Lagrange";
+    B_THETA: "b_theta" "b_theta" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of pitching without the rope.", "Lagrange";
+    KAPPA_Z: "kappa_z" "kappa_z" ONE / ONE, "Acceleration of heaving by the rope, of its force over the mass of the load.", "Lagrange";
+    KAPPA_PHI: "kappa_phi" "kappa_phi" PER_M / PER_M, "Angular acceleration of rolling by the rope, of its force over the mass of the load.", "Lagrange";
+    KAPPA_THETA: "kappa_theta" "kappa_theta" PER_M / PER_M, "Angular acceleration of pitching by the rope, of its force over the mass of the load.", "Lagrange";
+    M_SL: "M_sl" "M_\"sl\"" N_M / KN_M, "Moment of the slewing drive; positive counter-clockwise, seen from above.", "Lagrange";
+    M_1: "M_1" "M_1" N_M / KN_M, "Moment of the luffing drive on the driving link; positive raises it.", "Lagrange";
     CHI_X: "chi_x" "chi_x" RAD / DEG, "Angle of the rope from the vertical along the hull; positive swings the load forward.", "derived";
     CHI_Y: "chi_y" "chi_y" RAD / DEG, "Angle of the rope from that plane; positive swings the load to the left.", "derived";
 
     // Rates of the states.
     D_PSI_SL: "der(psi_sl)" "dot(psi)_\"sl\"" RAD_PER_S / RAD_PER_S, "Rate of the slewing angle.", "state";
     D_OMEGA_SL: "der(omega_sl)" "dot(omega)_\"sl\"" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of slewing.", "derived";
+    D_THETA_1: "der(theta_1)" "dot(theta)_1" RAD_PER_S / RAD_PER_S, "Rate of the luffing angle.", "state";
+    D_OMEGA_1: "der(omega_1)" "dot(omega)_1" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of luffing.", "derived";
     D_H_G: "der(h_G)" "dot(h)_G" M_PER_S / M_PER_S, "Rate of the height of the centre of gravity.", "state";
     D_PHI_X: "der(phi_x)" "dot(phi)_x" RAD_PER_S / RAD_PER_S, "Rate of the heel.", "state";
     D_THETA_Y: "der(theta_y)" "dot(theta)_y" RAD_PER_S / RAD_PER_S, "Rate of the pitch.", "state";

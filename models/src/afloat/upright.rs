@@ -1,9 +1,10 @@
 //! The upright hull, and what its metacentric heights say.
 
 use crate::afloat::hull::Floating;
+use crate::afloat::loaded::Loaded;
 use crate::afloat::rest::quiet;
 use crate::afloat::symbols as s;
-use crate::afloat::weights::{Loaded, TankGiven};
+use crate::afloat::weights::TankGiven;
 use crate::component::found::{Finding, found};
 use crate::component::scalar::Scalar;
 use crate::component::stages::{absent, results};

@@ -17,8 +17,8 @@ quantities! {
 }
 
 quantities! {
-    /// Where the crane stands, and how high its load is hung.
-    CranePlace { x_s: X_S, y_s: Y_S, h_s: H_S }
+    /// Where the crane stands.
+    CranePlace { x_s: X_S, y_s: Y_S }
 }
 
 quantities! {
@@ -54,6 +54,16 @@ pub struct Weighed<C> {
 }
 
 impl<C: Calc> Weighed<C> {
+    /// With what weighs besides.
+    pub fn and(&self, other: &Weighed<C>) -> Weighed<C> {
+        Weighed {
+            weight: self.weight + other.weight,
+            along: self.along + other.along,
+            across: self.across + other.across,
+            up: self.up + other.up,
+        }
+    }
+
     /// The same over another scalar.
     pub fn map<D>(&self, f: &mut dyn FnMut(C) -> D) -> Weighed<D> {
         let [weight, along, across, up] = [self.weight, self.along, self.across, self.up].map(f);
@@ -128,42 +138,5 @@ impl<C: Calc> DeadLoad<C> {
             own,
             wind: blown.map(|(moment, _)| moment),
         })
-    }
-}
-
-/// With the load at its point of suspension (m): weight (N), moments (N·m), and how high its centre of gravity is (m).
-#[derive(Clone, Copy, Debug)]
-pub struct Loaded<C> {
-    pub all: Weighed<C>,
-    pub x: C,
-    pub y: C,
-    pub height: C,
-}
-results! { Loaded as l => { X_Q: l.x; Y_Q: l.y; W: l.all.weight; M_L: l.all.along; M_T: l.all.across; Z_G: l.height; } }
-
-impl<C: Calc> Loaded<C> {
-    /// x_Q = x_s + R cos ψ, y_Q = y_s + R sin ψ, W = W_0 + Q, M_L = M_L0 + Q x_Q, M_T = M_T0 + Q y_Q,
-    /// z_G = (M_V0 + Q h_s) / W. [IS Code 2008, B 2.9]
-    pub fn new(psi: &One<C>, dead: &DeadLoad<C>, crane: &CranePlace<C>, reach: &One<C>, load: &One<C>) -> Loaded<C> {
-        let (sin, cos) = psi.sin_cos();
-        let (x, y) = (
-            (crane.x_s + **reach * cos).def(&s::X_Q),
-            (crane.y_s + **reach * sin).def(&s::Y_Q),
-        );
-        let weight = (dead.all.weight + **load).def(&s::W);
-        let along = (dead.all.along + **load * x).def(&s::M_L);
-        let across = (dead.all.across + **load * y).def(&s::M_T);
-        let up = dead.all.up + **load * crane.h_s;
-        Loaded {
-            all: Weighed {
-                weight,
-                along,
-                across,
-                up,
-            },
-            x,
-            y,
-            height: (up / weight).def(&s::Z_G),
-        }
     }
 }

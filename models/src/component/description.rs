@@ -327,12 +327,15 @@ impl<T: Described> Description<T> {
             for (number, known) in origins.within(&path) {
                 let key = known.key.rsplit('.').next().unwrap_or_default();
                 // What has a chapter of its own is told there; steps are those of tables.
-                if name.is_empty() && chapters.iter().any(|(_, name)| *name == key) || name == "motion" && key == "step"
+                if name.is_empty() && chapters.iter().any(|(_, name)| *name == key)
+                    || name.ends_with("motion") && key == "step"
                 {
                     continue;
                 }
                 inputs.push(Input {
-                    symbol: speed.filter(|_| key == "speed").unwrap_or(known.symbol),
+                    symbol: speed
+                        .filter(|_| name == "motion" && key == "speed")
+                        .unwrap_or(known.symbol),
                     number,
                     value: known.value,
                     chapter,

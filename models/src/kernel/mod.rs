@@ -1,6 +1,7 @@
 //! What everything stands on: quantities with symbols and units, scalars, the recorder, keys of scenes, messages.
 
 pub mod allowed;
+pub mod beside;
 pub mod calc;
 pub mod check;
 pub mod course;

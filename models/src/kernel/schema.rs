@@ -384,55 +384,6 @@ impl Values {
         }
     }
 
-    /// Moves a table from the top of the scene to the one that it is a part of.
-    ///
-    /// # Errors
-    /// There is no such part, or it stands there already.
-    pub fn adopt(&mut self, part: &'static str, of: &'static str) -> Result<(), Diagnostic> {
-        let Some(at) = self.entries.iter().position(|(name, ..)| *name == part) else {
-            return Ok(());
-        };
-        let (_, value, place) = self.entries.remove(at);
-        let (Value::Table(mut table), Some((_, Value::Table(whole), _))) =
-            (value, self.entries.iter_mut().find(|(name, ..)| *name == of))
-        else {
-            return Ok(());
-        };
-        let refused =
-            |what: String, label: &str, help: String| Err(Diagnostic::new(place.clone(), what, label).help(help));
-        if !whole.keys.iter().any(|key| key.name == part) {
-            let known = whole.keys.iter().filter(|key| matches!(key.kind, Kind::Table(_)));
-            let known: Vec<&str> = known.map(|key| key.name).collect();
-            return refused(
-                format!("[{part}] is no part of this [{of}]"),
-                "not used",
-                format!("remove it; parts here: {}", known.join(", ")),
-            );
-        }
-        if whole.has(part) {
-            return refused(
-                format!("[{part}] and [{of}.{part}] are one"),
-                "given twice",
-                "remove one of them".to_owned(),
-            );
-        }
-        let Some(Kind::Table(keys)) = whole.keys.iter().find(|key| key.name == part).map(|key| key.kind) else {
-            return Ok(());
-        };
-        // What a part needs by itself its mechanism gives.
-        let own = |name: &str| keys.iter().any(|key| key.name == name);
-        if let Some((name, _, place)) = table.entries.iter().find(|(name, ..)| !own(name)) {
-            let message = format!("`{part}.{name}` beside [{of}]: that gives it, or has no use for it");
-            let refused = Diagnostic::new(place.clone(), message, "not used here");
-            return Err(refused.help(format!("remove it, or [{of}]")));
-        }
-        table.keys = keys;
-        table.beside = true;
-        let at = whole.entries.partition_point(|(before, ..)| *before < part);
-        whole.entries.insert(at, (part, Value::Table(table), place));
-        Ok(())
-    }
-
     /// Gives every mass of this table and of the tables in it its weight, by the acceleration of gravity (m/s²).
     pub fn weigh(&mut self, g: f64) {
         for (_, value, _) in &mut self.entries {

@@ -1,5 +1,6 @@
 //! What all luffing mechanisms have in common.
 
+pub mod aboard;
 pub mod at_rest;
 pub mod balancing;
 pub mod boom_scene;
@@ -8,6 +9,7 @@ pub mod criteria;
 pub mod curved_trunk;
 pub mod double_link;
 pub mod ellipsograph;
+pub mod kinds;
 pub mod moving;
 pub mod resistances;
 pub mod rope;

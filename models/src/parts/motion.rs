@@ -62,7 +62,7 @@ impl Motion {
 
     /// Reads a checked table with `from`, `to`, `step` and `speed`; mistakes go to `found`.
     pub fn read(m: &Values, found: &mut Vec<Diagnostic>) -> Option<Motion> {
-        let (coordinate, _) = m.own().into_iter().find(|(symbol, _)| symbol.id == "from")?;
+        let (coordinate, _) = m.own().into_iter().next()?;
         let motion = Motion {
             from: m.number("from")?,
             to: m.number("to")?,

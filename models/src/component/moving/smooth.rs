@@ -13,7 +13,7 @@ use crate::parts::solver::pieces::{self, Pieces};
 use crate::parts::solver::{Count, Halt, MOST_STEPS};
 
 /// Most states of a component, and most numbers that it remembers.
-const MOST: usize = 14;
+const MOST: usize = 16;
 
 /// How a component is carried on from event to event.
 #[derive(Clone)]

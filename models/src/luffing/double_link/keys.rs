@@ -3,7 +3,7 @@
 use crate::balance::asked::KEYS as SYNTHESIS;
 use crate::balance::scene::BALANCE;
 use crate::component::description::TABLE;
-use crate::component::outline::Limit;
+use crate::component::outline::{Limit, joined};
 use crate::drive::scene::DRIVE;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Kind, SOURCE};
@@ -20,14 +20,22 @@ use crate::parts::air::AIR;
 use crate::parts::ground::GROUND;
 use crate::parts::motion::Motion;
 
-/// Keys of `[luffing]`.
-pub const KEYS: &[Key] = &[
+/// Those of its bars.
+pub const LINKS: [Key; 13] = [
     Key::kind(
         &["double_link"],
         "A double link of boom, jib and rocker; the usual kind.",
     ),
-    Key::new("driven", Kind::Choice(&["boom", "rocker"]), "Which bar the drive turns; its angle is the coordinate."),
-    Key::new("branch", Kind::Choice(&["left", "right"]), "Side of the line from the foot of the other bar to the driving link's head on which the jib's other pin lies."),
+    Key::new(
+        "driven",
+        Kind::Choice(&["boom", "rocker"]),
+        "Which bar the drive turns; its angle is the coordinate.",
+    ),
+    Key::new(
+        "branch",
+        Kind::Choice(&["left", "right"]),
+        "Side of the line from the foot of the other bar to the driving link's head on which the jib's other pin lies.",
+    ),
     Key::quantity(&s::X_1, Sign::Positive),
     Key::quantity(&s::X_2, Sign::Positive),
     Key::quantity(&s::X_3, Sign::Positive),
@@ -38,6 +46,10 @@ pub const KEYS: &[Key] = &[
     Key::quantity(&s::X_7, Sign::Any).optional(),
     Key::quantity(&s::BETA_0, Sign::Positive).optional(),
     Key::quantity(&s::AC, Sign::Positive).optional(),
+];
+
+/// Keys of `[luffing]`.
+pub const KEYS: &[Key] = &joined::<_, 13, 19, 32>(LINKS, [
     Key::weight(&s::Q).optional(),
     Key::new("fidelity", Kind::Choice(moving::scene::FIDELITIES), "How deep it is modelled: \"static\" (the angle is an input), \"table\" (the same, interpolated over the working range, its dimensions fixed), \"rigid\" (it moves under a moment), \"swing\" (and the load swings on its rope), \"hydraulic\" (a cylinder with oil and valve moves it), \"auto\" (the cheapest that keeps to `accuracy`).").optional(),
     Key::table("motion", MOTION, "Working range of the driving link."),
@@ -57,7 +69,7 @@ pub const KEYS: &[Key] = &[
     Key::part("limits", LIMITS, "Limits that the book checks."),
     Key::part("published", PUBLISHED, "Published values to stand beside the computed ones."),
     SOURCE,
-];
+]);
 
 /// Parts of a crane that may also stand beside `[luffing]`, at the top of the scene.
 pub const HOISTING: Key = Key::part("hoisting", HOISTING_KEYS, "Rope and hoist of a load that swings.");
@@ -73,7 +85,7 @@ const MOTION: &[Key] = &Motion::keys(
     (&s::OMEGA_1, "Angular velocity of the driving link."),
 );
 
-static WEIGHTS: &[Key] = keys! { s:
+pub static WEIGHTS: &[Key] = keys! { s:
     G_1 [or_mass], S_1 >= 0, CHI_1, G_2 [or_mass], S_2 >= 0, CHI_2, G_3 [or_mass], S_3 >= 0, CHI_3
 };
 

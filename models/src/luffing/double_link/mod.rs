@@ -35,6 +35,7 @@
 //! | `lemniscate.unbalanced` | [`unbalanced::Unbalanced::new`], [`unbalanced::UnbalancedCase::new`] | Ports001, 5.10.3 |
 //! | `lemniscate.published` | [`published::PublishedFormulas::new`] | Li2022, eq. 1, 4-7 |
 
+pub mod aboard;
 pub mod balancing;
 pub mod drawing;
 pub mod driving;

@@ -91,32 +91,19 @@ pub fn search(luffing: &Luffing) -> Option<Search<'_>> {
 impl LuffingScene {
     /// Builds the mechanism of a checked table under the acceleration of gravity (m/s²); mistakes go to `found`.
     pub fn new(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<(LuffingScene, Motion)> {
-        let driven = if v.text("driven")? == "boom" {
-            Driven::Boom
-        } else {
-            Driven::Rocker
-        };
-        let branch = Branch::read(v)?;
-        let n = |symbol: &Symbol| v.number(symbol.id);
-        let lengths = Lengths::read(v)?;
-        let jib = jib(v, found)?;
-        let weights = v.part("weights", Weights::read)?;
-        let driving = drive::read(v, found)?;
-        let q = n(&s::Q);
-        // A load that cannot be read is not one that is missing.
-        let loaded = q.is_some() || !found.is_empty();
-        let balance = v.part("balance", |table| Form::read(table, found))?;
-        complete(v, balance.as_ref(), "the weights of boom, jib and rocker", found);
-        let parameters = Parameters {
+        let parameters = parameters(v, found)?;
+        let Parameters {
             lengths,
-            jib,
             weights,
-            anchors: None,
-            cylinder: None,
             balance,
             driven,
-            branch,
-        };
+            ..
+        } = parameters;
+        complete(v, balance.as_ref(), "the weights of boom, jib and rocker", found);
+        let driving = drive::read(v, found)?;
+        let q = v.number(s::Q.id);
+        // A load that cannot be read is not one that is missing.
+        let loaded = q.is_some() || !found.is_empty();
         let motion = motion(v, &parameters, found);
         if let Some(motion) = &motion {
             let range = [motion.from, motion.to];
@@ -160,6 +147,30 @@ impl LuffingScene {
         };
         Some((luffing, motion))
     }
+}
+
+/// Dimensions, weights and balance, without the drive; mistakes go to `found`.
+pub(super) fn parameters(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Parameters<f64>> {
+    let driven = if v.text("driven")? == "boom" {
+        Driven::Boom
+    } else {
+        Driven::Rocker
+    };
+    let branch = Branch::read(v)?;
+    let lengths = Lengths::read(v)?;
+    let jib = jib(v, found)?;
+    let weights = v.part("weights", Weights::read)?;
+    let balance = v.part("balance", |table| Form::read(table, found))?;
+    Some(Parameters {
+        lengths,
+        jib,
+        weights,
+        anchors: None,
+        cylinder: None,
+        balance,
+        driven,
+        branch,
+    })
 }
 
 /// The jib's triangle, which is given in one of three ways.
@@ -215,7 +226,7 @@ fn own_lever(p: &Parameters<f64>) -> Option<Lever<f64>> {
 }
 
 /// Checks that the balance exists over the whole working range.
-fn balanced(v: &Values, table: &Values, p: &Parameters<f64>, motion: &Motion, found: &mut Vec<Diagnostic>) {
+pub(super) fn balanced(v: &Values, table: &Values, p: &Parameters<f64>, motion: &Motion, found: &mut Vec<Diagnostic>) {
     let Err(fault) = analysis(p, motion) else { return };
     let place = if fault.quantity == &s::THETA_1 {
         v.place("motion")
@@ -227,7 +238,7 @@ fn balanced(v: &Values, table: &Values, p: &Parameters<f64>, motion: &Motion, fo
 }
 
 /// Checks that the mechanism exists and closes over the whole working range.
-fn motion(v: &Values, parameters: &Parameters<f64>, found: &mut Vec<Diagnostic>) -> Option<Motion> {
+pub(super) fn motion(v: &Values, parameters: &Parameters<f64>, found: &mut Vec<Diagnostic>) -> Option<Motion> {
     let m = v.table("motion")?;
     let motion = Motion::read(m, found)?;
     let geometry = match Geometry::new(parameters) {

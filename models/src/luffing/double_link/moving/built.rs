@@ -102,16 +102,8 @@ where
             .as_ref()
             .expect("checked when the scene was read");
         let load = (self.load.1 / constants.g).def(&m::MASS_Q);
-        // Boom and rocker lie along their bars, the jib along the line from its tail to its head.
-        let bar = Point::new(P::constant(1.0), P::constant(0.0));
-        let head = Point::new(geometry.kappa.x, -geometry.kappa.y) * geometry.lengths.x_2;
-        let axis = head - bar * geometry.lengths.x_2;
-        let body = |weight: P, inertia: P, distance: P, angle: P, along: Point<P>| {
-            let (sin, cos) = angle.sin_cos();
-            let centre = Point::new(distance * cos, distance * sin);
-            Body::slender(weight / constants.g, inertia, centre, along)
-        };
-        let jib = body(weights.g_2, inertias.j_2, weights.s_2, weights.chi_2, axis);
+        let [boom, jib, rocker] = slender(geometry, Some(weights), &inertias, constants.g);
+        let head = head(geometry);
         // Where the crane does not turn nothing asks for it.
         let spread = |jib: Body<P>| match self.turning {
             Some(_) => {
@@ -130,7 +122,7 @@ where
         }
         .pendulum(load, self.fitted.rope);
         Bodies {
-            boom: body(weights.g_1, inertias.j_1, weights.s_1, weights.chi_1, bar),
+            boom,
             jib: spread(if pendulum.is_some() {
                 jib
             } else {
@@ -140,11 +132,41 @@ where
                     ..loaded
                 }
             }),
-            rocker: body(weights.g_3, inertias.j_3, weights.s_3, weights.chi_3, bar),
+            rocker,
             pendulum,
             gravity: constants.g,
         }
     }
+}
+
+/// The jib's head in the frame of its rear arm, in m.
+fn head<P: Calc>(geometry: &Geometry<P>) -> Point<P> {
+    Point::new(geometry.kappa.x, -geometry.kappa.y) * geometry.lengths.x_2
+}
+
+/// Boom, jib and rocker under gravity (m/s²), or none that weigh: boom and rocker lie along their bars, the jib along the line
+/// from its tail to its head.
+pub fn slender<P: Calc>(
+    geometry: &Geometry<P>,
+    weights: Option<&Weights<P>>,
+    inertias: &Inertias<P>,
+    gravity: P,
+) -> [Body<P>; 3] {
+    let Some(w) = weights else {
+        return [Body::nothing(); 3];
+    };
+    let bar = Point::new(P::constant(1.0), P::constant(0.0));
+    let axis = head(geometry) - bar * geometry.lengths.x_2;
+    [
+        (w.g_1, inertias.j_1, w.s_1, w.chi_1, bar),
+        (w.g_2, inertias.j_2, w.s_2, w.chi_2, axis),
+        (w.g_3, inertias.j_3, w.s_3, w.chi_3, bar),
+    ]
+    .map(|(weight, inertia, distance, angle, along)| {
+        let (sin, cos) = angle.sin_cos();
+        let centre = Point::new(distance * cos, distance * sin);
+        Body::slender(weight / gravity, inertia, centre, along)
+    })
 }
 
 /// Its lines whole.
