@@ -29,7 +29,10 @@ STEPS = [
     ["cargo", "build", "--release", "--workspace", "--all-targets"],
     ["cargo", "clippy", "--release", "--workspace", "--all-targets", "--", "-D", "warnings"],
     ["cargo", "doc", "--release", "--workspace", "--no-deps"],
-    ["cargo", "test", "--release", "--workspace"],
+    # Books are typeset on one core: beside it runs the rest.
+    (["cargo", "test", "--release", "--workspace", "--test", "layout", "--test", "pages"],
+     ["cargo", "test", "--release", "--workspace", "--", "--skip", "books_are_laid_out", "--skip", "nothing_stands_over_the_margin",
+      "--skip", "numbers_of_formulas_keep"]),
     [str(PYTHON), "python/backend.py"],
     # A file's tests share what they make, and stay together; the longest files begin (`conftest.py`).
     [str(PYTHON), "-m", "pytest", "-q", "-rs", "-n", "auto", "--dist", "loadfile", "--no-loadscope-reorder", "tests"],
@@ -71,16 +74,21 @@ def prepare():
     run([str(PYTHON), "-m", "pip", "install", "-q", "--disable-pip-version-check", "-r", str(ROOT / "tests/requirements.txt")])
 
 
-def run(command):
+def run(*commands):
+    """One command, or several side by side."""
     started = time.monotonic()
-    print("$", " ".join(command), flush=True)
     environment = dict(os.environ, RUSTDOCFLAGS="-D warnings")
-    if subprocess.run(command, cwd=ROOT, env=environment).returncode != 0:
-        sys.exit(f"failed: {' '.join(command)}")
+    running = []
+    for command in commands:
+        print("$", " ".join(command), flush=True)
+        running.append(subprocess.Popen(command, cwd=ROOT, env=environment))
+    failed = [" ".join(command) for command, process in zip(commands, running) if process.wait() != 0]
+    if failed:
+        sys.exit(f"failed: {'; '.join(failed)}")
     print(f"  {time.monotonic() - started:.0f} s", flush=True)
 
 
 if __name__ == "__main__":
     prepare()
     for step in STEPS:
-        run(step)
+        run(*step if isinstance(step, tuple) else [step])

@@ -11,7 +11,7 @@ use lemnis_models::luffing::double_link::symbols::{THETA_1, X_1};
 use lemnis_models::parts::air::A_Q;
 use lemnis_models::parts::hull::hull;
 use lemnis_models::parts::plane::Point;
-use num_dual::{Dual2_64, Dual64, DualNum};
+use num_dual::{Dual2_64, Dual64};
 use twofloat::TwoFloat;
 
 #[test]

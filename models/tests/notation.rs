@@ -20,7 +20,7 @@ use lemnis_models::supports::{column, drive as drive_of_supports, mobile, portal
 use lemnis_models::unloader;
 
 /// Every mechanism with its table.
-const TABLES: [(&str, &[&Symbol]); 35] = [
+const TABLES: [(&str, &[&Symbol]); 36] = [
     ("The double-link luffing mechanism", double_link::symbols::ALL),
     (
         "The double-link luffing mechanism in motion",

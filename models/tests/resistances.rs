@@ -146,7 +146,7 @@ fn inertia_is_what_kinetic_energy_loses() {
         let case =
             format!("[[cases.case]]\nname = \"one\"\nk_Q = \"0\"\np_w = \"0 Pa\"\nv_s = \"{v}\"\na_s = \"{a}\"\n\n");
         let text = format!("{}{case}{}", &text[..cases], &text[cases + rest..]);
-        let shaft = ["cases.motor", "cases.brake", "cases.second_brake"];
+        let shaft = ["cases.motor", "cases.start", "cases.brake", "cases.second_brake"];
         model(&shaft.iter().fold(text, |text, table| without(&text, table)))
     };
     for (name, text) in systems() {

@@ -1,9 +1,6 @@
 //! The layout of every ready scene's book, in every language: no page is left half empty, no row of a table and no heading
 //! stands alone, and no table is in small type.
 
-use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicUsize, Ordering};
-
 use lemnis::book::Edition;
 use lemnis::language::LANGUAGES;
 use lemnis::template::Templates;
@@ -120,53 +117,37 @@ impl Table<'_> {
     }
 }
 
-/// Every page of a ready scene's book, in every language.
-fn pages_of(path: &Path, templates: &Templates) -> Vec<Page> {
-    let scene = Scene::parse(&std::fs::read_to_string(path).expect("readable")).expect("a ready scene");
-    let (sheet, name) = (scene.sheet(), path.file_stem().expect("a name").display());
-    let mut pages = Vec::new();
-    for language in &LANGUAGES {
-        let edition = Edition {
-            language,
-            level: "standard",
-            templates,
-            typesetter: &Embedded,
-        };
-        let source = edition.source(&scene, &sheet, Format::Pdf).expect("a source");
-        let all = ink(&source.main, &source.files).expect("pages");
-        let count = all.len();
-        pages.extend(
-            all.into_iter()
-                .enumerate()
-                .map(|(i, ink)| Page::new(format!("{name} {} {}", language.code, i + 1), ink, i + 1 == count)),
-        );
-    }
-    pages
-}
-
-/// Those of all ready scenes, on as many threads as there are cores.
+/// Every page of every ready scene's book.
 fn pages() -> Vec<Page> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../models/scenes");
-    let scenes: Vec<PathBuf> = std::fs::read_dir(folder)
-        .expect("scenes")
-        .map(|entry| entry.expect("a scene").path())
-        .collect();
-    let (templates, next) = (Templates::embedded(), AtomicUsize::new(0));
-    let take = || {
-        let mut pages = Vec::new();
-        while let Some(path) = scenes.get(next.fetch_add(1, Ordering::Relaxed)) {
-            pages.extend(pages_of(path, &templates));
+    let mut pages = Vec::new();
+    let templates = Templates::embedded();
+    for entry in std::fs::read_dir(folder).expect("scenes") {
+        let path = entry.expect("a scene").path();
+        let scene = Scene::parse(&std::fs::read_to_string(&path).expect("readable")).expect("a ready scene");
+        let sheet = scene.sheet();
+        for language in &LANGUAGES {
+            let edition = Edition {
+                language,
+                level: "standard",
+                templates: &templates,
+                typesetter: &Embedded,
+            };
+            let source = edition.source(&scene, &sheet, Format::Pdf).expect("a source");
+            let all = ink(&source.main, &source.files).expect("pages");
+            let count = all.len();
+            pages.extend(all.into_iter().enumerate().map(|(i, ink)| {
+                let name = format!(
+                    "{} {} {}",
+                    path.file_stem().expect("a name").display(),
+                    language.code,
+                    i + 1
+                );
+                Page::new(name, ink, i + 1 == count)
+            }));
         }
-        pages
-    };
-    let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    std::thread::scope(|scope| {
-        let threads: Vec<_> = (0..cores).map(|_| scope.spawn(take)).collect();
-        threads
-            .into_iter()
-            .flat_map(|thread| thread.join().expect("pages"))
-            .collect()
-    })
+    }
+    pages
 }
 
 #[test]

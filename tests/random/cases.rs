@@ -88,14 +88,14 @@ fn sizes(c: &mut Node, parts: &CaseParts, drive: Option<&(String, bool, f64, f64
     }
 }
 
-/// A start of one kind, with what belongs to it: of a motor that is faster than any case, and stronger still.
+/// A start of one kind, with what belongs to it: of a motor that is faster than any case.
 fn start(c: &mut Node) {
     let Some(mut start) = c.child("start") else { return };
     let slips = start.draw.coin(0.5);
     start.put("kind", if slips { "slip" } else { "inverter" });
     for (name, of_slip, least, most) in [
         ("lambda_bd", true, 1.5, 9.0),
-        ("n_0", true, 1e9, 9e9),
+        ("n_0", true, 9e5, 1e6),
         ("t_r", false, 0.1, 9.0),
         ("lambda_inv", false, 1.0, 9.0),
     ] {
@@ -105,8 +105,11 @@ fn start(c: &mut Node) {
             start.set(name, value);
         }
     }
-    if let Some(mut motor) = c.child("motor") {
-        motor.set("P_N", 1e24);
+    if let Some(mut motor) = c.child("motor").filter(|_| slips) {
+        for (name, least, most) in [("l_M", 6e-3, 9e-3), ("P_N", 8e14, 9e14), ("n_N", 5.0, 10.0)] {
+            let value = motor.draw.between(least, most);
+            motor.set(name, value);
+        }
     }
 }
 
