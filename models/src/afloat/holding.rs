@@ -8,16 +8,18 @@ use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 
-/// Moments of what slews with the load (N·m), how luffing changes them (N·m/rad), and what holds both at rest (N·m).
+/// Moments of what slews with the load (N·m), the water's slope in the boom's plane, how luffing changes moments (N·m/rad), and what holds both at rest (N·m).
 #[derive(Clone, Copy, Debug)]
 pub struct HeldAtRest<C> {
     own: [C; 2],
+    slope: C,
     changes: [C; 2],
     holds: [C; 2],
 }
 results! { HeldAtRest as h => {
     M_XS: h.own[0];
     M_YS: h.own[1];
+    T_XI: h.slope;
     DM_R: h.changes[0];
     DM_H: h.changes[1];
     M_SL0: h.holds[0];
@@ -26,7 +28,7 @@ results! { HeldAtRest as h => {
 
 impl<C: Calc> HeldAtRest<C> {
     /// M_xs = (M_ξ + Q R) cos ψ − M_η sin ψ, M_ys = (M_ξ + Q R) sin ψ + M_η cos ψ, M'_r = M'_r1 + Q R', M'_h = M'_h1 + Q h'_A;
-    /// M_sl0 = cos β (M_ys tan θ − M_xs tan φ), M_10 = cos β (M'_h − M'_r (cos ψ tan θ + sin ψ tan φ)). [virtual work]
+    /// M_sl0 = cos β (M_ys tan θ − M_xs tan φ), t_ξ = cos ψ tan θ + sin ψ tan φ, M_10 = cos β (M'_h − M'_r t_ξ). [virtual work]
     pub fn new(
         psi: &One<C>,
         load: &One<C>,
@@ -43,10 +45,12 @@ impl<C: Calc> HeldAtRest<C> {
             (along + load.1 * travel).def(&s::DM_R),
             (up + load.1 * rise).def(&s::DM_H),
         ];
+        let slope = (cos * trim + sin * heel).def(&s::T_XI);
         let slewing = level * (own[1] * trim - own[0] * heel);
-        let luffing = level * (changes[1] - changes[0] * (cos * trim + sin * heel));
+        let luffing = level * (changes[1] - changes[0] * slope);
         HeldAtRest {
             own,
+            slope,
             changes,
             holds: [slewing.def(&s::M_SL0), luffing.def(&s::M_10)],
         }

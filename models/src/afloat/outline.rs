@@ -4,6 +4,7 @@ use crate::afloat::symbols as s;
 use crate::component::outline::Explained::Stage;
 use crate::component::outline::{Greatest, Limit, Most, Outline, SectionOutline, chapters};
 use crate::kernel::symbol::listed;
+use crate::luffing::aboard::{THETA_A, THETA_E};
 use crate::luffing::kinds::GIVEN;
 
 /// Levers at heels, of which the book tells one with its formulas and all in a table.
@@ -70,9 +71,10 @@ pub const OUTLINE: Outline = Outline {
         ("afloat_rolled", listed!(s: PHI_A)),
         ("afloat_told", listed!(s: PHI_H)),
         ("hook", &[&s::L_R]),
-        ("start", &[&s::PSI_SL]),
+        ("start", listed!(s: PSI_SL, THETA_1)),
+        ("afloat_luffs", &[&THETA_A, &THETA_E]),
         ("afloat_bars", GIVEN),
-        ("afloat_inertia", listed!(s: X_U, Y_U, Z_U)),
+        ("afloat_inertia", listed!(s: X_U, Y_U, Z_U, J_X, J_Y)),
     ],
     forces: listed!(s: M_L, M_T, M_SL0, M_10),
     worst: &[("greatest_heel", &s::PHI_MAX), ("greatest_trim", &s::THETA_MAX)],

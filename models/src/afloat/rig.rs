@@ -77,6 +77,15 @@ fn suits(v: &Values, pedestal: &Values, found: &mut Vec<Diagnostic>) {
         };
         refuse(pedestal, other, what.to_owned(), "not used", help);
     }
+    if let Some(dynamics) = v.table("dynamics").filter(|table| luffs && !table.has(s::T_1.id)) {
+        refuse(
+            dynamics,
+            s::T_1.id,
+            "luffing by a command, and `T_1` is missing in [hull.dynamics]".to_owned(),
+            "how fast does it follow?",
+            "add T_1 = \"2 s\", the time constant with which luffing follows its command",
+        );
+    }
     let idle = LUFFING.into_iter().find(|key| !luffs && v.has(key)).map(|key| (v, key));
     let dynamics = v.table("dynamics").filter(|table| !luffs && table.has(s::T_1.id));
     if let Some((at, key)) = idle.or(dynamics.map(|table| (table, s::T_1.id))) {

@@ -20,7 +20,7 @@ pub const MOVING: [&str; 5] = ["l_R", "omega_csl", "psi_sl", "omega_c1", "dynami
 
 pub static DYNAMICS: &[Key] = keys! { s:
     M_A >= 0, J_X > 0, J_Y > 0, D_Z >= 0 [usually(0.0)], D_X >= 0 [usually(0.0)], D_Y >= 0 [usually(0.0)],
-    T_SL > 0 [usually(2.0)], T_1 > 0 [usually(2.0)], STEP > 0 [optional]
+    T_SL > 0 [usually(2.0)], T_1 > 0 [optional], STEP > 0 [optional]
 };
 
 /// Longest step of the solver over the time in which the fastest part turns by one radian, and the shortest that may be given
@@ -87,7 +87,12 @@ impl MovingHull {
             command: SlewingCommand {
                 omega_c: n(&s::OMEGA_CSL, 0.0),
             },
-            luffing: (LuffingServo::read(dynamics)?, luffing),
+            luffing: (
+                LuffingServo {
+                    t_1: dynamics.of(&s::T_1).unwrap_or(f64::INFINITY),
+                },
+                luffing,
+            ),
             roped: hanging(v.of(&s::L_R)?),
             psi: n(&s::PSI_SL, from),
         })

@@ -82,6 +82,7 @@ symbols! {
     M_VC: "M_Vc" "M_(V c)" N_M / KN_M, "Moment of what slews, without load, about the keel.", "equilibrium";
     M_XS: "M_xs" "M_(x s)" N_M / KN_M, "Moment of what slews with the load about the slewing axis, along the hull.", "equilibrium";
     M_YS: "M_ys" "M_(y s)" N_M / KN_M, "Moment of what slews with the load about the slewing axis, across the hull.", "equilibrium";
+    T_XI: "t_xi" "t_xi" ONE / ONE, "Slope of the water in the boom's plane, toward the load.", "derived";
     DM_R: "dM_r" "M'_r" N_M / KN_M, "Change of the moment about the slewing axis for one radian of luffing, with the load.", "virtual work";
     DM_H: "dM_h" "M'_h" N_M / KN_M, "Change of the moment by heights for one radian of luffing, with the load.", "virtual work";
     M_SL0: "M_sl0" "M_(\"sl\" 0)" N_M / KN_M, "Moment that holds slewing at rest on the hull as it lies; positive counter-clockwise, seen from above.", "virtual work";

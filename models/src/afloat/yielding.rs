@@ -1,4 +1,4 @@
-//! A hull under a crane with weight: the inertia that this adds to heave, heel and pitch, and what its motion does to them. [Lagrange]
+//! A hull under a crane with weight: the inertia that this adds to heave, heel and pitch, and what its motion does to them. (Lagrange)
 
 use nalgebra::Vector3;
 

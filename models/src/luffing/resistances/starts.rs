@@ -27,13 +27,13 @@ const RULE: [[f64; 2]; 5] = [
 ];
 
 impl<C: Calc> SlipStart<C> {
-    /// s_b = s_N (λ + √(λ² − 1)): the curve passes the rated point. [Kloss]
+    /// s_b = s_N (λ + √(λ² − 1)): the curve passes the rated point. (Kloss)
     pub fn breakdown(&self, motor: &CaseMotor<C>) -> C {
         let rated = C::constant(1.0) - motor.n_n / self.n_0;
         rated * (self.lambda + (self.lambda.square() - C::constant(1.0)).sqrt())
     }
 
-    /// T(s)/T_b = 2 / (s/s_b + s_b/s). [Kloss]
+    /// T(s)/T_b = 2 / (s/s_b + s_b/s). (Kloss)
     pub fn share(slip: C, at: C) -> C {
         C::constant(2.0) / (slip / at + at / slip)
     }
