@@ -11,6 +11,7 @@ from fmpy.validation import validate_fmu
 from scipy.integrate import cumulative_simpson, solve_ivp
 
 from conftest import ROOT, lemnis
+import test_floating_motion as floating_motion
 from test_floating_motion import ENDS, SECOND, turned
 
 READY = ROOT / "models/scenes/floating_crane.toml"
@@ -27,19 +28,8 @@ STATES += ["theta_1", "omega_1"]
 OUTPUTS = STATES + ["S_R", "M_sl", "M_1", "M_sl0", "M_10", "R", "h_s", "T_m", "phi", "theta", "T", "W"]
 
 
-def changed(folder, name, *changes):
-    text = READY.read_text(encoding="utf-8")
-    for before, after in changes:
-        assert before in text, before
-        text = text.replace(before, after)
-    path = folder / f"{name}.toml"
-    path.write_text(text.replace('name  = "FloatingCrane"', f'name = "{name}"', 1), encoding="utf-8")
-    return path
-
-
 def built(folder, name, *changes):
-    lemnis("fmu", changed(folder, name, *changes), "--output", folder)
-    return {standard: str(folder / f"{name}{end}") for standard, end in ENDS.items()}
+    return floating_motion.built(folder, name, *changes, ready=READY)
 
 
 # The luffing mechanism in its plane, from the boom's foot.

@@ -3,6 +3,7 @@ by rotation matrices, energies of a box hull and its tanks in closed form, deriv
 the rope by two angles instead of a constraint. And against closed forms of small motions."""
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -26,18 +27,18 @@ LAG, QUICK = 2.0, math.radians(3.0)
 OUTPUTS = ["psi_sl", "h_G", "phi_x", "theta_y", "r_x", "r_y", "r_z", "S_R", "T_m", "f_m", "phi", "theta", "T"]
 
 
-def changed(folder, name, *changes):
-    text = READY.read_text(encoding="utf-8")
+def changed(folder, name, *changes, ready=READY):
+    text = ready.read_text(encoding="utf-8")
     for before, after in changes:
         assert before in text, before
         text = text.replace(before, after)
     path = folder / f"{name}.toml"
-    path.write_text(text.replace('name  = "FloatingCraneMotion"', f'name = "{name}"', 1), encoding="utf-8")
+    path.write_text(re.sub(r'(?m)^name +=.*', f'name = "{name}"', text, count=1), encoding="utf-8")
     return path
 
 
-def built(folder, name, *changes):
-    lemnis("fmu", changed(folder, name, *changes), "--output", folder)
+def built(folder, name, *changes, ready=READY):
+    lemnis("fmu", changed(folder, name, *changes, ready=ready), "--output", folder)
     return {standard: str(folder / f"{name}{end}") for standard, end in ENDS.items()}
 
 

@@ -236,11 +236,11 @@ fn parameters<C: Calc>(
             _ => None,
         },
         cylinder: *cylinder,
-        ..with_balance(lengths, jib, weights, balance, choice)
+        ..undriven(lengths, jib, weights, balance, choice)
     }
 }
 
-fn with_balance<C: Calc>(
+fn undriven<C: Calc>(
     lengths: &Lengths<C>,
     jib: &One<C>,
     weights: &Option<Weights<C>>,
@@ -265,7 +265,7 @@ fn with_balance<C: Calc>(
 }
 
 fn geometry<C: Calc>(lengths: &Lengths<C>, jib: &One<C>, choice: &Choice) -> Result<Geometry<C>, Fault> {
-    let parameters = with_balance(lengths, jib, &None, &None, choice);
+    let parameters = undriven(lengths, jib, &None, &None, choice);
     Geometry::new(&parameters).map_err(|misfit| {
         let words = parameters.values().describe(misfit);
         Fault::outside(format!("{}: {}", words.what, words.help))
@@ -287,7 +287,7 @@ fn balancing<C: Calc>(
     balance: &Form<C>,
     choice: &Choice,
 ) -> Found<Balancing<C>> {
-    let parameters = with_balance(lengths, jib, weights, &Some(*balance), choice);
+    let parameters = undriven(lengths, jib, weights, &Some(*balance), choice);
     let found = balancing::new(&parameters, &choice.range).map_err(Fault::from)?;
     found.ok_or_else(absent)
 }
@@ -299,7 +299,7 @@ fn analysed<C: Calc>(
     balance: &Form<C>,
     choice: &Choice,
 ) -> Found<Analysis> {
-    let parameters = with_balance(lengths, jib, &Some(*weights), &Some(*balance), choice);
+    let parameters = undriven(lengths, jib, &Some(*weights), &Some(*balance), choice);
     let found = analysis(&parameters.values(), &choice.range).map_err(Fault::from)?;
     found.ok_or_else(absent)
 }

@@ -124,7 +124,7 @@ impl Train {
         for symbol in own[0].into_iter().filter(|symbol| !start.has(symbol.id)) {
             let (what, help) = (
                 format!("a start of kind \"{kind}\" without {}", symbol.id),
-                format!("add {} = \"...\"", symbol.id),
+                format!("add {} = \"... {}\"  ({})", symbol.id, symbol.display.name, symbol.text),
             );
             found.push(start.refuse("kind", what, format!("{} is needed", symbol.id), help));
         }
