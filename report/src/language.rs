@@ -6,7 +6,7 @@
 //! three languages write them.
 
 use std::collections::BTreeMap;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use lemnis_models::component::description::Vocabulary;
 use lemnis_models::kernel::number::Number;
@@ -134,7 +134,7 @@ impl Language {
     #[must_use]
     pub fn page(&self) -> BTreeMap<&'static str, &'static toml::Table> {
         let groups = ["page", "caption", "chapter", "head", "level"];
-        let words = &self.dictionary().0;
+        let words = &self.dictionary().0.groups;
         groups
             .into_iter()
             .filter_map(|group| Some((group, words.get(group)?)))
@@ -179,9 +179,34 @@ pub(crate) fn symbols(mechanism: &str) -> &'static str {
 
 /// The words of a language, in groups; Typst markup.
 #[derive(Clone, Debug)]
-pub(crate) struct Words(Groups);
+pub(crate) struct Words(Arc<Known>);
+
+#[derive(Debug)]
+struct Known {
+    groups: Groups,
+    meanings: Vec<Meanings>,
+}
 
 type Groups = BTreeMap<String, toml::Table>;
+
+/// What the symbols of a mechanism mean by the tables of the models, set when the first is asked for.
+#[derive(Debug)]
+struct Meanings {
+    of: &'static Vocabulary,
+    set: OnceLock<BTreeMap<&'static str, String>>,
+}
+
+impl Meanings {
+    fn set(&self) -> &BTreeMap<&'static str, String> {
+        self.set.get_or_init(|| {
+            let symbols = self.of.own.iter().copied().flatten();
+            symbols
+                .filter(|symbol| !matches!(symbol.source, "event" | "state"))
+                .map(|symbol| (symbol.id, prose(symbol.text, |id| find(self.of, id))))
+                .collect()
+        })
+    }
+}
 
 impl Words {
     /// The words of a language. English has the meanings of symbols from the
@@ -194,15 +219,14 @@ impl Words {
         own_references: Option<&str>,
     ) -> Result<Words, String> {
         let mut words = merged(language.words())?;
+        let mut meanings = Vec::new();
         if language.code == LANGUAGES[0].code {
-            for (_, symbols) in vocabularies() {
-                let meanings = symbols
-                    .own
-                    .iter()
-                    .flat_map(|table| *table)
-                    .filter(|symbol| !matches!(symbol.source, "event" | "state"))
-                    .map(|symbol| (symbol.id.to_owned(), prose(symbol.text, |id| find(symbols, id)).into()));
-                words.entry(symbols.words.to_owned()).or_default().extend(meanings);
+            for (_, of) in vocabularies() {
+                words.entry(of.words.to_owned()).or_default();
+                meanings.push(Meanings {
+                    of,
+                    set: OnceLock::new(),
+                });
             }
             words.insert("reference".to_owned(), parse("references.toml", REFERENCES)?);
         }
@@ -217,15 +241,30 @@ impl Words {
         for (group, own) in merged(own)? {
             replace(&group, own);
         }
-        Ok(Words(words))
+        Ok(Words::with(words, meanings))
+    }
+
+    fn with(groups: Groups, meanings: Vec<Meanings>) -> Words {
+        Words(Arc::new(Known { groups, meanings }))
     }
 
     pub(crate) fn get(&self, group: &str, id: &str) -> Result<&str, String> {
-        let word = |group: &str| self.0.get(group)?.get(id);
-        let shared = || word(SHARED).filter(|_| vocabularies().any(|(_, symbols)| symbols.words == group));
-        let word = word(group).or_else(shared);
-        word.and_then(toml::Value::as_str)
-            .ok_or_else(|| format!("no words for {group}.{id}"))
+        let shared = || {
+            self.find(SHARED, id)
+                .filter(|_| vocabularies().any(|(_, symbols)| symbols.words == group))
+        };
+        let word = self.find(group, id).or_else(shared);
+        word.ok_or_else(|| format!("no words for {group}.{id}"))
+    }
+
+    fn find(&self, group: &str, id: &str) -> Option<&str> {
+        let Known { groups, meanings } = &*self.0;
+        let meaning = || {
+            let mut of_group = meanings.iter().filter(|meanings| meanings.of.words == group);
+            of_group.find_map(|meanings| meanings.set().get(id))
+        };
+        let word = groups.get(group).and_then(|words| words.get(id)?.as_str());
+        word.or_else(|| meaning().map(String::as_str))
     }
 
     /// The words for an id, those of a part that the machine has before all others.
@@ -236,7 +275,7 @@ impl Words {
 
     /// Keys of the publications.
     pub(crate) fn references(&self) -> Vec<String> {
-        let all = self.0.get("reference");
+        let all = self.0.groups.get("reference");
         all.into_iter().flat_map(toml::Table::keys).cloned().collect()
     }
 
@@ -247,12 +286,25 @@ impl Words {
         } else {
             group
         };
-        self.0.get(&format!("{group}_{part}"))?.get(id)?.as_str()
+        self.find(&format!("{group}_{part}"), id)
     }
 
     #[cfg(test)]
     pub(crate) fn of(text: &str) -> Words {
-        Words(merged([("words.toml", text)]).expect("groups of words"))
+        Words::with(merged([("words.toml", text)]).expect("groups of words"), Vec::new())
+    }
+
+    /// Every word with its group and id.
+    #[cfg(test)]
+    fn all(&self) -> impl Iterator<Item = (&str, &str, &str)> {
+        let meanings = self.0.meanings.iter().flat_map(|meanings| {
+            let set = meanings.set().iter();
+            set.map(|(&id, word)| (meanings.of.words, id, word.as_str()))
+        });
+        let groups = self.0.groups.iter().flat_map(|(group, words)| {
+            words.iter().map(move |(id, text)| (group.as_str(), id.as_str(), text.as_str().expect("a text")))
+        });
+        groups.chain(meanings)
     }
 }
 
@@ -290,16 +342,11 @@ mod tests {
     fn every_language_has_the_words_of_english_and_no_others() {
         let keys = |language| -> BTreeSet<String> {
             let words = Words::new(language, [], None).expect("TOML");
-            let group = |(group, words): (String, toml::Table)| {
-                words.into_iter().map(move |(id, word)| {
-                    assert!(
-                        word.as_str().is_some_and(|word| !word.trim().is_empty()),
-                        "{group}.{id}"
-                    );
-                    format!("{group}.{id}")
-                })
+            let key = |(group, id, word): (&str, &str, &str)| {
+                assert!(!word.trim().is_empty(), "{group}.{id}");
+                format!("{group}.{id}")
             };
-            words.0.into_iter().flat_map(group).collect()
+            words.all().map(key).collect()
         };
         let english = keys(&LANGUAGES[0]);
         assert!(english.len() > 200);
@@ -373,11 +420,8 @@ mod tests {
         };
         assert!(eaten("#deepest; numerical") && eaten("#at.x") && !eaten("#deepest\\; numerical, #at. Below"));
         for language in &LANGUAGES {
-            for (group, words) in Words::new(language, [], None).expect("TOML").0 {
-                for (id, word) in words {
-                    let word = word.as_str().expect("a text");
-                    assert!(!eaten(word), "{}: {group}.{id}", language.code);
-                }
+            for (group, id, word) in Words::new(language, [], None).expect("TOML").all() {
+                assert!(!eaten(word), "{}: {group}.{id}", language.code);
             }
         }
     }

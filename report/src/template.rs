@@ -66,6 +66,9 @@ const TEMPLATES: &[(&str, &str)] = embedded![
 
 const REFERENCES: &str = "references.toml";
 
+/// Before the name of a template: that of the program, though the user has another.
+const ORIGINAL: &str = "lemnis/";
+
 /// Everything that a user's folder can override, by its path in it.
 #[must_use]
 pub fn originals() -> Vec<(&'static str, &'static str)> {
@@ -216,24 +219,16 @@ impl Templates {
         let own_words = own_words.map(|(name, text)| (name.as_str(), text.as_str()));
         let words = Words::new(language, own_words, own(REFERENCES)).map_err(|error| self.place(&error))?;
         let mut environment = environment(words.clone());
-        let folder = self.folder.as_deref();
-        for (name, source) in TEMPLATES {
-            // Only a user's own templates extend these.
-            if !self.own.is_empty() {
-                environment
-                    .add_template_owned(format!("lemnis/{name}"), *source)
-                    .map_err(|error| describe(folder, &error))?;
-            }
-            let source = own(name).unwrap_or(source).to_owned();
-            environment
-                .add_template_owned(*name, source)
-                .map_err(|error| describe(folder, &error))?;
-        }
-        let others = self.own.iter().filter(|(name, _)| name.ends_with(".typ"));
-        for (name, source) in others.filter(|(name, _)| TEMPLATES.iter().all(|(known, _)| known != name)) {
+        // What travels with the program is read when a book needs it.
+        environment.set_loader(|name| {
+            let name = name.strip_prefix(ORIGINAL).unwrap_or(name);
+            let found = TEMPLATES.iter().find(|(known, _)| *known == name);
+            Ok(found.map(|(_, source)| (*source).to_owned()))
+        });
+        for (name, source) in self.own.iter().filter(|(name, _)| name.ends_with(".typ")) {
             environment
                 .add_template_owned(name.clone(), source.clone())
-                .map_err(|error| describe(folder, &error))?;
+                .map_err(|error| describe(self.folder.as_deref(), &error))?;
         }
         Ok(Ready { environment, words })
     }
