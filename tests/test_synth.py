@@ -1,7 +1,9 @@
 """`lemnis synth`: the numbers of the portal crane of 004, one result for one seed, Ctrl-C, and scenes that build."""
 
+import csv
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -198,6 +200,28 @@ def test_any_quantity(tmp_path):
     for name, given, seed in [("again", text, 3), ("other", LUFFING, 4)]:
         values = [tomllib.loads(synth(tmp_path / name, given, "--seed", seed).read_text(encoding="utf-8"))["luffing"]["tackle"][key]["value"] for key in ("E_x", "E_y")]
         assert values == [tomllib.loads(text)["luffing"]["tackle"][key]["value"] for key in ("E_x", "E_y")]
+
+
+def test_what_can_be_had_of_one_for_the_other(tmp_path):
+    """Two aims: a scene with the point between, and all points as CSV, none better than another in both."""
+    scene = LUFFING.replace('"least T_max"', '"least T_max and least l_l_max"').replace('l_l_max = "at most 100 m"\n', "")
+    (tmp_path / "both.toml").write_text(scene, encoding="utf-8")
+    told = lemnis("synth", tmp_path / "both.toml", "--output", tmp_path / "out")
+    assert "nearest to the best of both" in told
+    with open(tmp_path / "out/RopeLuffing_synth_front.csv", encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    heads = ["T_max [kN]", "l_l_max [m]", "luffing.tackle.E_x [m]", "luffing.tackle.E_y [m]", "phi_T0 [deg]"]
+    assert list(rows[0]) == heads and len(rows) == 9
+    pulls, lengths = ([float(row[head]) for row in rows] for head in heads[:2])
+    assert pulls == sorted(pulls) and lengths == sorted(lengths, reverse=True)
+    # The scene has one of them; the mechanism says of it what the row does.
+    found = tomllib.loads((tmp_path / "out/RopeLuffing_synth.toml").read_text(encoding="utf-8"))["luffing"]["tackle"]
+    anchor = [float(found[key]["value"].split()[0]) for key in ("E_x", "E_y")]
+    row = next(row for row in rows if [float(row[head]) for head in heads[2:4]] == anchor)
+    checked = lemnis("check", tmp_path / "out/RopeLuffing_synth.toml")
+    for key, head in (("T_max", heads[0]), ("l_l_max", heads[1])):
+        value = float(re.search(rf"^  {key} +(\S+)", checked, re.MULTILINE)[1])
+        assert abs(value / float(row[head]) - 1) < 1e-5, key
 
 
 def test_fit(tmp_path):

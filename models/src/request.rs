@@ -23,8 +23,9 @@ pub static SYNTHESIS: &[Key] = &[
     Key::new(
         "objective",
         Kind::Name,
-        "What is searched for: \"least epsilon_Y\", \"greatest R_max\", any result of the whole range; or \"published\", the \
-         quantities whose results are nearest to the published table.",
+        "What is searched for: \"least epsilon_Y\", \"greatest R_max\", any result of the whole range; two of them, \
+         \"least T_max and least l_l_max\", for what can be had of one for the other; or \"published\", the quantities whose \
+         results are nearest to the published table.",
     ),
     Key::new(
         "vary",
@@ -69,9 +70,31 @@ pub struct Request {
 /// What is searched for.
 #[derive(Clone, Copy, Debug)]
 pub enum Goal {
-    Least(RangeResult),
-    Greatest(RangeResult),
+    Best(Aim),
+    /// What can be had of one for the other.
+    Front([Aim; 2]),
     Published,
+}
+
+/// A result that is to be least or greatest.
+#[derive(Clone, Copy, Debug)]
+pub struct Aim {
+    pub result: RangeResult,
+    pub greatest: bool,
+}
+
+impl Aim {
+    /// 1 where less is better, -1 where more is.
+    #[must_use]
+    pub fn sign(&self) -> f64 {
+        if self.greatest { -1.0 } else { 1.0 }
+    }
+
+    /// As a scene has it.
+    #[must_use]
+    pub fn side(&self) -> &'static str {
+        if self.greatest { "greatest" } else { "least" }
+    }
 }
 
 /// A quantity that may change.
@@ -351,22 +374,37 @@ fn named(all: &[RangeResult], id: &str, place: &Range<usize>) -> Result<RangeRes
 fn goal(v: &Values, mechanism: &dyn Mechanism, all: &[RangeResult]) -> Result<Goal, Box<Diagnostic>> {
     let text = v.text("objective").unwrap_or_default();
     let place = v.place("objective");
-    match text.split_once(' ') {
-        Some(("least", id)) => Ok(Goal::Least(named(all, id.trim(), &place)?)),
-        Some(("greatest", id)) => Ok(Goal::Greatest(named(all, id.trim(), &place)?)),
-        None if text == "published" => match mechanism.published() {
-            Some(_) => Ok(Goal::Published),
-            None => {
-                let message = "a fit to published values, and the scene has none";
-                let help =
-                    "add a table `published` with `values` to the mechanism, or name a result: \"least epsilon_Y\"";
-                Err(Box::new(Diagnostic::new(place, message, "of what table?").help(help)))
+    let refuse = |message: String, label: &str, help: &str| {
+        Err(Box::new(Diagnostic::new(place.clone(), message, label).help(help)))
+    };
+    let aim = |text: &str| -> Result<Aim, Box<Diagnostic>> {
+        let (side, id) = text.trim().split_once(' ').unwrap_or_default();
+        if !matches!(side, "least" | "greatest") {
+            let help = "write \"least ...\" or \"greatest ...\" with the id of a result, two of them with \"and\" between, or \
+                        \"published\"";
+            refuse(format!("\"{text}\" is no objective"), "cannot be read", help)?;
+        }
+        Ok(Aim {
+            result: named(all, id.trim(), &place)?,
+            greatest: side == "greatest",
+        })
+    };
+    if text == "published" && mechanism.published().is_none() {
+        let help = "add a table `published` with `values` to the mechanism, or name a result: \"least epsilon_Y\"";
+        let message = "a fit to published values, and the scene has none".to_owned();
+        return refuse(message, "of what table?", help);
+    }
+    match text.split_once(" and ") {
+        None if text == "published" => Ok(Goal::Published),
+        None => Ok(Goal::Best(aim(text)?)),
+        Some((one, other)) => {
+            let aims = [aim(one)?, aim(other)?];
+            let [one, other] = aims.map(|aim| aim.result.symbol);
+            if one == other {
+                let message = format!("`{}` is the objective twice", one.id);
+                return refuse(message, "the same", "name another result, or one objective");
             }
-        },
-        _ => {
-            let message = format!("\"{text}\" is no objective");
-            let help = "write \"least ...\" or \"greatest ...\" with the id of a result, or \"published\"";
-            Err(Box::new(Diagnostic::new(place, message, "cannot be read").help(help)))
+            Ok(Goal::Front(aims))
         }
     }
 }

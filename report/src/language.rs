@@ -302,7 +302,9 @@ impl Words {
             set.map(|(&id, word)| (meanings.of.words, id, word.as_str()))
         });
         let groups = self.0.groups.iter().flat_map(|(group, words)| {
-            words.iter().map(move |(id, text)| (group.as_str(), id.as_str(), text.as_str().expect("a text")))
+            words
+                .iter()
+                .map(move |(id, text)| (group.as_str(), id.as_str(), text.as_str().expect("a text")))
         });
         groups.chain(meanings)
     }

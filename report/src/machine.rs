@@ -15,6 +15,19 @@ pub fn csv(value: f64) -> String {
     format!("{rounded:?}").trim_end_matches(".0").to_owned()
 }
 
+/// Rows as CSV.
+///
+/// # Panics
+/// Never: memory takes every record.
+#[must_use]
+pub fn records(rows: impl IntoIterator<Item = Vec<String>>) -> String {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    for row in rows {
+        writer.write_record(row).expect("memory takes every record");
+    }
+    String::from_utf8(writer.into_inner().expect("memory takes every record")).expect("numbers and names are text")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -21,15 +21,6 @@ pub struct Results {
     pub rows: Vec<Vec<f64>>,
 }
 
-/// As CSV.
-fn records(rows: impl Iterator<Item = Vec<String>>) -> String {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    for row in rows {
-        writer.write_record(row).expect("memory takes every record");
-    }
-    String::from_utf8(writer.into_inner().expect("memory takes every record")).expect("numbers and names are text")
-}
-
 /// What its book says of a scene.
 ///
 /// # Errors
@@ -202,7 +193,7 @@ impl Results {
                 .map(|(value, column)| machine::csv(column.symbol.shown(*value)))
                 .collect::<Vec<_>>()
         });
-        records(std::iter::once(heads.collect()).chain(rows))
+        machine::records(std::iter::once(heads.collect()).chain(rows))
     }
 
     /// Each chart as CSV: names with units, then one line for each cell with what decides it.
@@ -220,7 +211,7 @@ impl Results {
                     .map(|(symbol, value)| machine::csv(symbol.shown(*value)));
                 cells.chain([(*mark).to_owned()]).collect::<Vec<_>>()
             });
-            records(std::iter::once(heads.chain(["decides".to_owned()]).collect()).chain(rows))
+            machine::records(std::iter::once(heads.chain(["decides".to_owned()]).collect()).chain(rows))
         };
         self.sheet.charts.iter().map(chart).collect()
     }

@@ -9,7 +9,7 @@ use lemnis_models::component::mechanism::Mechanism;
 use lemnis_models::kernel::calc::Calc;
 use lemnis_models::kernel::diagnostic::Diagnostic;
 use lemnis_models::kernel::shared::{Watch, shared};
-use lemnis_models::request::{Goal, RangeLimit, RangeResult, Request, Varied};
+use lemnis_models::request::{Aim, RangeLimit, RangeResult, Request, Varied};
 use lemnis_models::scene::Scene;
 
 use crate::equations::{Equations, NEVER};
@@ -110,15 +110,6 @@ impl Nothing {
     }
 }
 
-/// The result that is least or greatest, with its sign; `None` for a fit.
-fn objective(asked: &Request) -> Option<(RangeResult, f64)> {
-    match asked.goal {
-        Goal::Least(result) => Some((result, 1.0)),
-        Goal::Greatest(result) => Some((result, -1.0)),
-        Goal::Published => None,
-    }
-}
-
 /// Whether each quantity is by itself what the equations have, so that nothing else of the scene changes with it.
 ///
 /// # Errors
@@ -152,29 +143,27 @@ struct Search<'a> {
     functions: Vec<Function>,
 }
 
-/// How often [`seek`] calls [`Watch::run`].
+/// How often [`seek`] calls [`Watch::run`] at most.
 #[must_use]
 pub fn calls(asked: &Request) -> usize {
     let runs = |one: &Request| if one.varied.is_empty() { 0 } else { RUNS + FINISHED };
     asked.combinations().iter().map(runs).sum()
 }
 
-/// The best values, or the best so far where it was broken off: of each combination of choices by itself, and the best of
-/// these.
+/// The best values for one aim, or the best so far where it was broken off: of each combination of choices by itself, and
+/// the best of these. Values that are `near` the best are finished too.
 ///
 /// # Errors
 /// Limits that no values within the bounds keep.
-///
-/// # Panics
-/// With a request for a fit, which [`fit`](crate::fit::fit) answers.
 pub fn seek(
     mechanism: &dyn Mechanism,
-    asked: &Request,
+    (asked, aim): (&Request, Aim),
+    near: &[Vec<f64>],
     seed: u64,
     threads: usize,
     watch: Watch<'_>,
 ) -> Result<Answer, Nothing> {
-    let (_, sign) = objective(asked).expect("a result is least or greatest");
+    let sign = aim.sign();
     let mut best: Result<Answer, Nothing> = Err(Nothing::Impossible);
     for one in asked.combinations() {
         let whole = |values: &[f64]| {
@@ -185,8 +174,19 @@ pub fn seek(
             };
             asked.varied.iter().map(value).collect::<Vec<f64>>()
         };
-        let found = among(mechanism, &one, seed, threads, watch);
-        let found = match found {
+        let free = |values: &Vec<f64>| {
+            let mut free = Vec::new();
+            for (varied, value) in asked.varied.iter().zip(values) {
+                match one.chosen.iter().find(|(source, _)| *source == varied.source) {
+                    Some((_, chosen)) if chosen != value => return None,
+                    Some(_) => {}
+                    None => free.push(*value),
+                }
+            }
+            Some(free)
+        };
+        let near: Vec<Vec<f64>> = near.iter().filter_map(free).collect();
+        let found = match among(mechanism, (&one, aim), &near, seed, threads, watch) {
             Ok(mut answer) => {
                 answer.values = whole(&answer.values);
                 answer.written = whole(&answer.written);
@@ -211,17 +211,17 @@ pub fn seek(
 /// The best values of one combination of choices.
 fn among(
     mechanism: &dyn Mechanism,
-    asked: &Request,
+    (asked, aim): (&Request, Aim),
+    near: &[Vec<f64>],
     seed: u64,
     threads: usize,
     watch: Watch<'_>,
 ) -> Result<Answer, Nothing> {
-    let (result, sign) = objective(asked).ok_or(Nothing::Impossible)?;
     let limits = limits(asked);
     let mut search = Search {
         mechanism,
         asked,
-        results: std::iter::once(result)
+        results: std::iter::once(aim.result)
             .chain(limits.iter().map(|one| one.demand.result))
             .collect(),
         bounds: asked.varied.iter().map(|varied| varied.bounds).collect(),
@@ -231,7 +231,7 @@ fn among(
     let sizes = search.sizes(&mut equations, seed);
     search.functions.push(Function {
         of: 0,
-        sign,
+        sign: aim.sign(),
         limit: 0.0,
         unit: sizes[0],
     });
@@ -244,7 +244,7 @@ fn among(
             unit: if limit == 0.0 { sizes[of] } else { limit.abs() },
         });
     }
-    search.run(seed, threads, watch)
+    search.run(near, seed, threads, watch)
 }
 
 impl Search<'_> {
@@ -346,21 +346,26 @@ impl Search<'_> {
         program.finish(finished.parts)
     }
 
-    /// Runs from nowhere, the best of them finished.
-    fn finished(&self, seed: u64, threads: usize, watch: Watch<'_>) -> Vec<Finished> {
+    /// Runs from nowhere, the best of them finished, and what is near the best.
+    fn finished(&self, near: &[Vec<f64>], seed: u64, threads: usize, watch: Watch<'_>) -> Vec<Finished> {
         if self.bounds.is_empty() {
             return self.finish(&[]).into_iter().collect();
         }
         let random = |run: usize| fastrand::Rng::with_seed(seed.wrapping_mul(SPREAD).wrapping_add(run as u64));
         let mut found = shared(RUNS, threads, watch, |run| self.explore(&mut random(run)));
         found.sort_by(|a, b| a.1.total_cmp(&b.1));
-        found.truncate(FINISHED);
-        let finished = shared(found.len(), threads, watch, |run| self.finish(&found[run].0));
+        found.truncate(FINISHED.saturating_sub(near.len()));
+        let part = |(value, [low, high]): (&f64, &[f64; 2])| (value - low) / (high - low);
+        let near = near
+            .iter()
+            .map(|values| values.iter().zip(&self.bounds).map(part).collect());
+        let starts: Vec<Vec<f64>> = near.chain(found.into_iter().map(|(parts, _)| parts)).collect();
+        let finished = shared(starts.len(), threads, watch, |run| self.finish(&starts[run]));
         finished.into_iter().flatten().collect()
     }
 
-    fn run(&self, seed: u64, threads: usize, watch: Watch<'_>) -> Result<Answer, Nothing> {
-        let mut finished = self.finished(seed, threads, watch);
+    fn run(&self, near: &[Vec<f64>], seed: u64, threads: usize, watch: Watch<'_>) -> Result<Answer, Nothing> {
+        let mut finished = self.finished(near, seed, threads, watch);
         let missed = |one: &Finished| one.functions[1..].iter().fold(0.0_f64, |worst, over| worst.max(*over));
         let keeps = |one: &Finished| missed(one) <= KEPT;
         finished.sort_by(|a, b| {

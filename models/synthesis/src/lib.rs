@@ -3,7 +3,8 @@
 //! so that an FMU carries no optimiser.
 //!
 //! And finding any quantities of any scene: what makes a result of the whole range least or greatest under limits of
-//! others ([`asked`]), or brings results nearest to published ones ([`fit`]), finished by exact derivatives ([`finish`]).
+//! others ([`asked`]), two of them at once ([`front`](mod@front)), or brings results nearest to published ones ([`fit`](mod@fit)), finished
+//! by exact derivatives ([`finish`]).
 //!
 //! A scene's task ([`lemnis_models::balance::task`]) goes through [`run`]; what
 //! came of it is compared, for the book, by [`comparison`].
@@ -17,6 +18,7 @@ pub mod equations;
 pub mod finish;
 pub mod fit;
 pub mod four;
+pub mod front;
 pub mod levers;
 pub mod optimum;
 pub mod peaks;

@@ -3,12 +3,14 @@
 use std::sync::atomic::AtomicBool;
 
 use lemnis_models::component::governing::governing;
-use lemnis_models::component::running::Running;
+use lemnis_models::component::running::Running as _;
+use lemnis_models::component::standing::Standing;
 use lemnis_models::kernel::shared::Watch;
-use lemnis_models::request::Request;
+use lemnis_models::request::{Goal, Request};
 use lemnis_models::scene::{DEFAULT, Scene};
 use lemnis_synthesis::asked::{Answer, Nothing, alone, seek};
 use lemnis_synthesis::fit::fit;
+use lemnis_synthesis::front::{Front, front};
 
 const COMPENSATION: &str = include_str!("../../scenes/rope_compensation.toml");
 const LUFFING: &str = include_str!("../../scenes/rope_luffing.toml");
@@ -26,7 +28,8 @@ fn search(scene: &Scene, asked: &Request, seed: u64) -> Result<Answer, Nothing> 
         stop: &stop,
         run: &|| {},
     };
-    seek(&*scene.mechanism, asked, seed, 2, watch)
+    let Goal::Best(aim) = asked.goal else { panic!("one aim") };
+    seek(&*scene.mechanism, (asked, aim), &[], seed, 2, watch)
 }
 
 fn found(text: &str, seed: u64) -> Answer {
@@ -42,11 +45,16 @@ fn result(text: &str, values: &[f64], id: &str) -> f64 {
         let index = model.index_of(varied.source).expect("a parameter");
         model.set(index, *value).expect("allowed");
     }
+    whole(&mut model, &scene, id)
+}
+
+/// A result of the whole range, whichever way the model has it.
+fn whole(model: &mut Standing, scene: &Scene, id: &str) -> f64 {
     let index = model.variables().iter().position(|variable| variable.symbol.id == id);
     match index {
         Some(index) => model.get(index).expect("exists"),
         None => {
-            let all = governing(&model, scene.mechanism.outline(), &|_| true);
+            let all = governing(model, scene.mechanism.outline(), &|_| true);
             all.iter()
                 .find(|found| found.symbol.id == id)
                 .expect("a governing result")
@@ -225,4 +233,116 @@ fn from_the_table_alone() {
         fitted.errors[place].is_infinite() && fitted.errors.iter().filter(|error| error.is_infinite()).count() == 1
     );
     assert!((fitted.values[place] - 9.65).abs() < 1e-12);
+}
+
+/// Designs of the field along each side.
+const SIDE: u32 = 100;
+
+const BOTH: &str = "objective = \"least T_max and least l_l_max\"";
+
+/// The luffing tackle's end for the least pull and the shortest tackle.
+fn tackle(objective: &str) -> String {
+    LUFFING
+        .replace("objective = \"least T_max\"", objective)
+        .replace("l_l_max = \"at most 100 m\"", "")
+}
+
+fn both(text: &str, seed: u64) -> Front {
+    let (scene, asked) = read(text);
+    let stop = AtomicBool::new(false);
+    let watch = Watch {
+        stop: &stop,
+        run: &|| {},
+    };
+    let Goal::Front(aims) = asked.goal else {
+        panic!("two aims")
+    };
+    let found = front(&*scene.mechanism, (&asked, aims), seed, 2, watch);
+    found.unwrap_or_else(|nothing| panic!("{nothing:?}"))
+}
+
+/// The ends of a front are what is best for each aim by itself; every point is what the model says of it; and of ten
+/// thousand designs over the whole field none is better than a point in both aims, though some come near each.
+#[test]
+fn nothing_lies_before_a_front() {
+    let text = tackle(BOTH);
+    let found = both(&text, 1);
+    assert!(
+        found.complete && found.points.len() == 9,
+        "{} points",
+        found.points.len()
+    );
+    let ends = [("T_max", 0, 0), ("l_l_max", 1, 8)];
+    for (id, aim, end) in ends {
+        let alone = self::found(&tackle(&format!("objective = \"least {id}\"")), 1);
+        let off = (found.points[end].aims[aim] / alone.value - 1.0).abs();
+        assert!(off < 2e-8, "{id}: {off:e}");
+    }
+    for point in &found.points {
+        for (id, value) in ["T_max", "l_l_max"].iter().zip(point.aims) {
+            let own = result(&text, &point.values, id);
+            assert!((own / value - 1.0).abs() < 1e-12, "{id}: {own} and {value}");
+        }
+    }
+    let (scene, asked) = read(&text);
+    let mut model = scene.mechanism.standing();
+    let mut nearest = [f64::INFINITY; 9];
+    for at in 0..SIDE * SIDE {
+        for (varied, step) in asked.varied.iter().zip([at / SIDE, at % SIDE]) {
+            let [low, high] = varied.bounds;
+            let index = model.index_of(varied.source).expect("a parameter");
+            let value = low + (high - low) * f64::from(step) / f64::from(SIDE - 1);
+            model.set(index, value).expect("allowed");
+        }
+        if whole(&mut model, &scene, "phi_T0") < 88_f64.to_radians() {
+            continue;
+        }
+        let design = ["T_max", "l_l_max"].map(|id| whole(&mut model, &scene, id));
+        for (point, near) in found.points.iter().zip(&mut nearest) {
+            let worse = [0, 1].map(|aim| design[aim] / point.aims[aim] - 1.0);
+            assert!(
+                worse.iter().any(|part| *part > -1e-7),
+                "{design:?} lies before {:?}",
+                point.aims
+            );
+            *near = near.min(worse[0].max(worse[1]));
+        }
+    }
+    assert!(nearest.iter().all(|near| *near < 0.02), "{nearest:?}");
+}
+
+/// Where one design is best for both aims it is the only point.
+#[test]
+fn aims_that_do_not_contend() {
+    let found = both(&tackle("objective = \"least T_max and least S_l_max\""), 1);
+    assert_eq!(found.points.len(), 1);
+}
+
+/// Over a choice, the front goes from one part of it to another: three falls for the level, four for the pull.
+#[test]
+fn a_front_over_choices() {
+    let text = COMPENSATION
+        .replace("\"least epsilon_Y\"", "\"least epsilon_Y and least T_max\"")
+        .replace("T_max   = \"at", "# \"at");
+    let points = both(&text, 1).points;
+    let falls: Vec<f64> = points.iter().map(|point| point.values[2]).collect();
+    assert!(
+        falls.is_sorted() && falls[0] == 3.0 && falls[falls.len() - 1] == 4.0,
+        "{falls:?}"
+    );
+    for pair in points.windows(2) {
+        assert!(pair[0].aims[0] < pair[1].aims[0] && pair[0].aims[1] > pair[1].aims[1]);
+    }
+    // Each point is the best of its falls under what it reaches of the other aim.
+    for point in &points[1..] {
+        let limit = format!("T_max = \"at most {} kN\"", point.aims[1] / 1e3 * (1.0 + 1e-9));
+        let alone = found(
+            &text
+                .replace(" and least T_max", "")
+                .replace("M_Q_max = ", &format!("{limit}\nM_Q_max = ")),
+            2,
+        );
+        let off = (point.aims[0] / alone.value - 1.0).abs();
+        assert!(off < 1e-6, "{:?}: {}", point.aims, alone.value);
+    }
 }

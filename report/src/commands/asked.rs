@@ -2,13 +2,15 @@
 
 use std::fmt::Write as _;
 
+use lemnis::machine;
 use lemnis_models::kernel::diagnostic::Diagnostic;
 use lemnis_models::kernel::number::{Digits, Number, rough, short};
 use lemnis_models::kernel::symbol::Symbol;
-use lemnis_models::request::{Goal, Request, Varied};
+use lemnis_models::request::{Aim, Goal, Request, Varied};
 use lemnis_models::scene::Scene;
 use lemnis_synthesis::asked::{Answer, Limited, Nothing, alone, calls, limits, seek};
 use lemnis_synthesis::fit::{Fitted, fit};
+use lemnis_synthesis::front::{Front, Point, front, runs};
 
 use crate::commands::watched::{SEARCHING, watched};
 use crate::failure::Failure;
@@ -24,10 +26,22 @@ const OTHERS: usize = 5;
 /// A limit of which less than this part is left is at its end.
 const AT_END: f64 = 1e-6;
 
-/// The scene with what was found, told; `name` is what the scene is called in messages.
-pub fn found(scene: &Scene, asked: &Request, seed: u64, name: &str) -> Result<Scene, Failure> {
+pub const BROKEN_OFF: &str = "broken off: this is the best so far";
+
+/// What a search of a scene's own quantities gives.
+pub struct Searched {
+    /// The scene with what was found.
+    pub scene: Scene,
+    /// Of two aims, what can be had of one for the other: the end of a file's name, and its text.
+    pub front: Option<(&'static str, String)>,
+}
+
+/// What was found, told; `name` is what the scene is called in messages.
+pub fn found(scene: &Scene, asked: &Request, seed: u64, name: &str) -> Result<Searched, Failure> {
     let refused = |diagnostic: Diagnostic| scene_file::failure(name, scene.text(), &[diagnostic]);
     alone(scene, asked).map_err(refused)?;
+    let unfound = |nothing: Nothing| refused(explained(asked, &nothing));
+    let mut listed = None;
     let (values, complete) = match asked.goal {
         Goal::Published => {
             let Some(fitted) = fit(&*scene.mechanism, asked, seed) else {
@@ -41,18 +55,27 @@ pub fn found(scene: &Scene, asked: &Request, seed: u64, name: &str) -> Result<Sc
             say(fitting(asked, &fitted).trim_end())?;
             (fitted.values, true)
         }
-        Goal::Least(_) | Goal::Greatest(_) => {
+        Goal::Best(aim) => {
             let answer = watched(SEARCHING, calls(asked), |threads, watch| {
-                seek(&*scene.mechanism, asked, seed, threads, watch)
+                seek(&*scene.mechanism, (asked, aim), &[], seed, threads, watch)
             });
-            let answer = answer.map_err(|nothing| refused(explained(asked, &nothing)))?;
-            say(optimum(asked, &answer).trim_end())?;
-            if !answer.complete {
-                say("broken off: this is the best so far")?;
-            }
+            let answer = answer.map_err(unfound)?;
+            say(optimum((asked, aim), &answer).trim_end())?;
             (answer.written, answer.complete)
         }
+        Goal::Front(aims) => {
+            let found = watched(SEARCHING, runs(asked), |threads, watch| {
+                front(&*scene.mechanism, (asked, aims), seed, threads, watch)
+            });
+            let mut found = found.map_err(unfound)?;
+            say(between_ends((asked, aims), &found).trim_end())?;
+            listed = Some(("front.csv", points((asked, aims), &found.points)));
+            (found.points.swap_remove(found.chosen).written, found.complete)
+        }
     };
+    if !complete {
+        say(BROKEN_OFF)?;
+    }
     let end = if complete { "" } else { ", broken off" };
     let source = format!("lemnis synth {}, seed {seed}{end}", env!("CARGO_PKG_VERSION"));
     let written = asked.varied.iter().zip(values);
@@ -61,12 +84,13 @@ pub fn found(scene: &Scene, asked: &Request, seed: u64, name: &str) -> Result<Sc
         format!("{{ value = \"{value}\", source = \"{source}\" }}")
     });
     let text = asked.replaced(scene.text(), &written.collect::<Vec<String>>());
-    Scene::parse(&text).map_err(|mistakes| {
+    let scene = Scene::parse(&text).map_err(|mistakes| {
         let told: Vec<String> = mistakes.iter().map(ToString::to_string).collect();
         let message = format!("what was found is no scene: {}", told.join("; "));
         let diagnostic = Diagnostic::new(asked.place.clone(), message, "the best that was found");
         refused(diagnostic.help("narrow the bounds to where the scene can be, or limit what it names"))
-    })
+    })?;
+    Ok(Searched { scene, front: listed })
 }
 
 /// Why nothing was found.
@@ -147,23 +171,21 @@ fn between(varied: &Varied) -> String {
     all.join(", ")
 }
 
+/// A result to the digits in which searches agree.
+fn agreed(symbol: &Symbol, value: f64) -> String {
+    format!("{}{}", Number::new(symbol.shown(value), DIGITS), unit(symbol))
+}
+
 /// What was found, and what holds it.
-fn optimum(asked: &Request, answer: &Answer) -> String {
+fn optimum((asked, aim): (&Request, Aim), answer: &Answer) -> String {
     let mut text = String::new();
-    let (Goal::Least(result) | Goal::Greatest(result)) = asked.goal else {
-        return text;
-    };
-    let written = |symbol: &Symbol, value: f64| format!("{}{}", Number::new(symbol.shown(value), DIGITS), unit(symbol));
-    let side = if matches!(asked.goal, Goal::Least(_)) {
-        "least"
-    } else {
-        "greatest"
-    };
+    let symbol = aim.result.symbol;
     let _ = writeln!(
         text,
-        "  {side} {} = {}",
-        result.symbol.id,
-        written(result.symbol, answer.value)
+        "  {} {} = {}",
+        aim.side(),
+        symbol.id,
+        agreed(symbol, answer.value)
     );
     let mut rows = vec![cells(["", "before", "found", "bounds", ""])];
     for (varied, value) in asked.varied.iter().zip(&answer.written) {
@@ -213,11 +235,71 @@ fn optimum(asked: &Request, answer: &Answer) -> String {
         let _ = writeln!(
             text,
             "  another optimum: {} at {}",
-            written(result.symbol, *value),
+            agreed(symbol, *value),
             at.join(", ")
         );
     }
     text
+}
+
+/// The points of a front, and which of them the scene gets.
+fn between_ends((asked, aims): (&Request, [Aim; 2]), front: &Front) -> String {
+    let [one, other] = aims.map(|aim| format!("{} {}", aim.side(), aim.result.symbol.id));
+    let mut text = format!("  {one} and {other}: what can be had of one for the other\n");
+    let ids = aims.map(|aim| aim.result.symbol.id.to_owned());
+    let keys = asked.varied.iter().map(|varied| varied.key.clone());
+    let mut rows = vec![
+        ids.into_iter()
+            .chain(keys)
+            .chain([String::new()])
+            .collect::<Vec<String>>(),
+    ];
+    for (i, point) in front.points.iter().enumerate() {
+        let results = aims.iter().zip(point.aims);
+        let results = results.map(|(aim, value)| {
+            let symbol = aim.result.symbol;
+            format!("{}{}", short(symbol.shown(value)), unit(symbol))
+        });
+        let values = asked.varied.iter().zip(&point.written);
+        let values = values.map(|(varied, value)| varied.written(*value));
+        let mark = if i == front.chosen {
+            "nearest to the best of both"
+        } else {
+            ""
+        };
+        rows.push(results.chain(values).chain([mark.to_owned()]).collect());
+    }
+    columns(&mut text, &rows);
+    let worst = front.points.iter().map(|point| point.residual).fold(0.0, f64::max);
+    let _ = writeln!(text, "{}", residual(worst));
+    text
+}
+
+/// The points of a front as CSV: both aims, the quantities, and the limited results.
+fn points((asked, aims): (&Request, [Aim; 2]), points: &[Point]) -> String {
+    let limits = limits(asked);
+    let head = |id: &str, symbol: &Symbol| format!("{id} [{}]", symbol.display.name);
+    let mut rows: Vec<Vec<String>> = Vec::new();
+    let results = aims.iter().map(|aim| aim.result.symbol);
+    let limited = limits.iter().map(|limited| limited.demand.result.symbol);
+    let of_result = |symbol: &'static Symbol| head(symbol.id, symbol);
+    let keys = asked.varied.iter().map(|varied| head(&varied.key, varied.symbol));
+    rows.push(
+        results
+            .clone()
+            .map(of_result)
+            .chain(keys)
+            .chain(limited.clone().map(of_result))
+            .collect(),
+    );
+    for point in points {
+        let shown = |(symbol, value): (&'static Symbol, &f64)| machine::csv(symbol.shown(*value));
+        let varied = asked.varied.iter().map(|varied| varied.symbol);
+        let all = results.clone().zip(&point.aims).map(shown);
+        let all = all.chain(varied.zip(&point.written).map(shown));
+        rows.push(all.chain(limited.clone().zip(&point.results).map(shown)).collect());
+    }
+    machine::records(rows)
 }
 
 /// What a fit found, how far it is known, and what it leaves.

@@ -41,17 +41,17 @@ impl Synth {
         let scene = scene_file::read(Some(&self.scene))?;
         if let Some(asked) = &scene.request {
             let seed = self.seed.unwrap_or(asked.seed);
-            let found = asked::found(&scene, asked, seed, &scene_file::name(Some(&self.scene)))?;
+            let searched = asked::found(&scene, asked, seed, &scene_file::name(Some(&self.scene)))?;
             let fitted = matches!(asked.goal, Goal::Published);
-            let found = scene_file::changed(&found, "the scene with what was found", |document| {
-                document["name"] = value(suffixed(found.name()));
+            let found = scene_file::changed(&searched.scene, "the scene with what was found", |document| {
+                document["name"] = value(suffixed(scene.name()));
                 document["synthesis"]["seed"] = number(seed);
                 // What was published was so of other dimensions.
-                if let Some(mechanism) = document[found.table].as_table_like_mut().filter(|_| !fitted) {
+                if let Some(mechanism) = document[scene.table].as_table_like_mut().filter(|_| !fitted) {
                     mechanism.remove("published");
                 }
             })?;
-            return self.write(&found);
+            return self.write(&found, searched.front);
         }
         let Some(search) = scene.search() else {
             return Err(Failure::Scene(format!(
@@ -72,17 +72,22 @@ impl Synth {
             say(asked::residual(residual))?;
         }
         if !outcome.complete {
-            say("broken off: this is the best so far")?;
+            say(asked::BROKEN_OFF)?;
         }
-        self.write(&result)
+        self.write(&result, None)
     }
 
-    fn write(&self, result: &Scene) -> Result<(), Failure> {
-        let output = Output {
+    /// The scene, and with it a file of the same name with another end.
+    fn write(&self, result: &Scene, beside: Option<(&str, String)>) -> Result<(), Failure> {
+        let mut outputs = vec![Output {
             name: format!("{}.toml", result.name()),
             bytes: result.text().into(),
-        };
-        write(&self.output, &[output])?;
+        }];
+        outputs.extend(beside.map(|(end, text)| Output {
+            name: format!("{}_{end}", result.name()),
+            bytes: text.into_bytes(),
+        }));
+        write(&self.output, &outputs)?;
         let path = self.output.join(format!("{}.toml", result.name()));
         say(format_args!("  build it with `lemnis build {}`", path.display()))
     }
@@ -196,12 +201,7 @@ fn table(comparison: &Comparison) -> String {
         }));
         rows.push(row);
     }
-    let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
-    let widths: Vec<usize> = (0..rows[0].len()).map(width).collect();
-    for row in &rows {
-        let cells = row.iter().zip(&widths).map(|(cell, width)| format!("{cell:<width$}"));
-        let _ = writeln!(text, "  {}", cells.collect::<Vec<_>>().join("  ").trim_end());
-    }
+    asked::columns(&mut text, &rows);
     let binding = comparison
         .bounds
         .iter()

@@ -356,12 +356,9 @@ fn json(scene: &Scene, traded: &Traded) -> String {
 
 /// One line for each setting and result, errors in display units.
 fn csv(traded: &Traded) -> String {
-    let mut writer = csv::Writer::from_writer(Vec::new());
     let heads = "level,solver,setting,us_per_s,cost_us_per_s,rates,jacobians,steps,rejected,bytes,front,result,unit,numerical_max,\
                  numerical_rms,modelling_max,modelling_rms,total_max,total_rms,total_part_of_range";
-    writer
-        .write_record(heads.split(','))
-        .expect("memory takes every record");
+    let mut records = vec![heads.split(',').map(str::to_owned).collect::<Vec<String>>()];
     for row in &traded.rows {
         for (asked, errors) in traded.asked.iter().zip(&row.errors) {
             let symbol = asked.variable.symbol;
@@ -394,8 +391,8 @@ fn csv(traded: &Traded) -> String {
                     record.push(machine::csv(e.total.max / asked.range));
                 }
             }
-            writer.write_record(record).expect("memory takes every record");
+            records.push(record);
         }
     }
-    String::from_utf8(writer.into_inner().expect("memory takes every record")).expect("numbers and names are text")
+    machine::records(records)
 }
