@@ -324,7 +324,12 @@ def test_book_synthesis_and_measuring_come_from_the_program(scene, moving, tmp_p
     assert book.read_bytes() == (tmp_path / f"{scene.name}.pdf").read_bytes()
     assert [path.name for path in book.parent.iterdir()] == ["crane.pdf"]
     found = lemnis.Scene.read(SCENES / "rope_luffing.toml").synth(seed=1)
-    assert "residual of the conditions" in found.report and found.scene.name.endswith("_synth")
+    assert "residual of the conditions" in found.report and found.scene.name.endswith("_synth") and found.front == ()
+    text = (SCENES / "rope_luffing.toml").read_text(encoding="utf-8")
+    front = lemnis.Scene.parse(text.replace('"least T_max"', '"least T_max and least Delta_L_T"')).synth(seed=1).front
+    assert len(front) > 1 and all(point["l_l_max [m]"] <= 100 for point in front)
+    pulls, others = ([point[head] for point in front] for head in list(front[0])[:2])
+    assert pulls == sorted(pulls) and others == sorted(others, reverse=True)
     assert found.scene.quantities["luffing.tackle.E_x"].value != lemnis.Scene.read(SCENES / "rope_luffing.toml").quantities["luffing.tackle.E_x"].value
     with pytest.raises(lemnis.SceneError, match="asks for no synthesis"):
         scene.synth()

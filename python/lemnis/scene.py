@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import json
 import os
 import tempfile
@@ -70,6 +71,9 @@ class Synthesis:
 
     scene: Scene
     report: str
+    front: tuple[dict[str, float], ...] = ()
+    """Of two aims, designs than which none is better in both: aims, quantities and limited results of each, by their names
+    with units, in these units."""
 
 
 def diagnostics(text: str) -> tuple[Diagnostic, ...]:
@@ -413,7 +417,11 @@ class Scene(Studies):
             report = program.run("synth", self.text, "--output", folder, *options)
             (found,) = Path(folder).glob("*.toml")
             told = [line for line in report.splitlines() if folder not in line]
-            return Synthesis(Scene(found.read_bytes().decode(), self._name), "\n".join(told))
+            front = []
+            for file in Path(folder).glob("*_front.csv"):
+                with file.open(encoding="utf-8", newline="") as rows:
+                    front += [{name: float(value) for name, value in row.items()} for row in csv.DictReader(rows)]
+            return Synthesis(Scene(found.read_bytes().decode(), self._name), "\n".join(told), tuple(front))
 
     def trade(self, *, step: float | None = None, rounds: int | None = None) -> dict[str, Any]:
         """What every level, solver and step costs, and how far it is off: the JSON of `lemnis trade`, in SI. `step` is that

@@ -245,7 +245,11 @@ fn optimum((asked, aim): (&Request, Aim), answer: &Answer) -> String {
 /// The points of a front, and which of them the scene gets.
 fn between_ends((asked, aims): (&Request, [Aim; 2]), front: &Front) -> String {
     let [one, other] = aims.map(|aim| format!("{} {}", aim.side(), aim.result.symbol.id));
-    let mut text = format!("  {one} and {other}: what can be had of one for the other\n");
+    let what = match front.points.len() {
+        1 => "one design is best for both",
+        _ => "what can be had of one for the other",
+    };
+    let mut text = format!("  {one} and {other}: {what}\n");
     let ids = aims.map(|aim| aim.result.symbol.id.to_owned());
     let keys = asked.varied.iter().map(|varied| varied.key.clone());
     let mut rows = vec![
@@ -262,7 +266,7 @@ fn between_ends((asked, aims): (&Request, [Aim; 2]), front: &Front) -> String {
         });
         let values = asked.varied.iter().zip(&point.written);
         let values = values.map(|(varied, value)| varied.written(*value));
-        let mark = if i == front.chosen {
+        let mark = if i == front.chosen && front.points.len() > 1 {
             "nearest to the best of both"
         } else {
             ""
