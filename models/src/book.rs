@@ -66,6 +66,7 @@ pub const CHAPTERS: &[&str] = &[
     "motion",
     "cycle",
     "synthesis",
+    "search",
     "trade",
     "study",
     "published",
@@ -104,6 +105,7 @@ impl Book {
         };
         let has = |chapter: &str| match chapter {
             "study" => scene.has(chapter),
+            "search" => scene.has("synthesis"),
             _ => mechanism.has_chapter(chapter),
         };
         let known = |list: &'static [&'static str], text: &str| list.iter().copied().find(|known| *known == text);

@@ -41,6 +41,12 @@ pub static SYNTHESIS: &[Key] = &[
     )
     .optional(),
     Key::new(
+        "before",
+        Kind::Named,
+        "What the quantities were before the search, for the book to compare; `lemnis synth` notes it.",
+    )
+    .optional(),
+    Key::new(
         "seed",
         Kind::Count([0, COUNTLESS]),
         "Seed of the search: the same seed gives the same result.",
@@ -107,8 +113,9 @@ pub struct Varied {
     pub bounds: [f64; 2],
     /// What it may be, where that is not everything between its bounds.
     pub choices: Vec<f64>,
-    /// What the scene has now.
+    /// What the scene has now, and what it had before the search, where it notes that.
     pub value: f64,
+    pub before: Option<f64>,
     /// What a unit of mass weighs, where it is a weight given as a mass, in m/s².
     pub weighs: Option<f64>,
     /// Where the scene gives it, and where it asks for another value.
@@ -167,6 +174,11 @@ impl Request {
         if v.has("vary") && v.named("vary").is_empty() {
             let help = "name a quantity of the scene with its bounds: { \"luffing.X_7\" = \"1 m to 2 m\" }";
             found.push(v.refuse("vary", "nothing may change", "nothing to search for", help));
+        }
+        for (key, text, place) in v.named("before") {
+            if let Err(refused) = noted(&mut varied, (key, text, place)) {
+                found.push(*refused);
+            }
         }
         let all = results(&model, mechanism);
         let goal = goal(v, mechanism, &all).map_err(|refused| found.push(*refused)).ok();
@@ -320,10 +332,25 @@ fn vary(model: &Standing, all: &Origins, gravity: f64, named: Named<'_>) -> Resu
         bounds,
         choices,
         value: known.value,
+        before: None,
         weighs,
         given: origin.place.clone(),
         place: place.clone(),
     })
+}
+
+/// Takes down what a quantity was before the search.
+fn noted(varied: &mut [Varied], named: Named<'_>) -> Result<(), Box<Diagnostic>> {
+    let (key, text, place) = named;
+    let Some(one) = varied.iter_mut().find(|one| one.key == *key) else {
+        let message = format!("`{key}` was something before the search, and does not vary");
+        let help = "name it under `vary`, or remove this";
+        return Err(Box::new(
+            Diagnostic::new(place.clone(), message, "not searched for").help(help),
+        ));
+    };
+    one.before = Some(number(text, one.symbol, one.weighs).map_err(|problem| vary::wrong(named, problem))?);
+    Ok(())
 }
 
 /// Results of the whole range that have derivatives.

@@ -54,6 +54,7 @@ const TEMPLATES: &[(&str, &str)] = embedded![
     "motion.typ",
     "cycle.typ",
     "synthesis.typ",
+    "search.typ",
     "trade.typ",
     "study.typ",
     "published.typ",

@@ -5,11 +5,14 @@ use std::cell::RefCell;
 
 use cmaes::{CMAESOptions, DVector};
 use lemnis_models::alone::{Consequence, moved};
+use lemnis_models::component::governing::governing;
 use lemnis_models::component::mechanism::Mechanism;
+use lemnis_models::component::running::Running as _;
 use lemnis_models::kernel::calc::Calc;
 use lemnis_models::kernel::diagnostic::Diagnostic;
 use lemnis_models::kernel::shared::{Watch, shared};
-use lemnis_models::request::{Aim, RangeLimit, RangeResult, Request, Varied};
+use lemnis_models::kernel::symbol::Symbol;
+use lemnis_models::request::{Aim, RangeFound, RangeLimit, RangeResult, Request, Varied};
 use lemnis_models::scene::Scene;
 
 use crate::equations::{Equations, NEVER};
@@ -133,6 +136,33 @@ pub fn alone(scene: &Scene, asked: &Request) -> Result<(), Diagnostic> {
         return Err(Diagnostic::new(varied.place.clone(), message, "not by itself").help(help));
     }
     Ok(())
+}
+
+/// Results of the whole range with these values of what varies, in the order of the request; `None` where one does not exist.
+#[must_use]
+pub fn results(mechanism: &dyn Mechanism, asked: &Request, values: &[f64], wanted: &[RangeResult]) -> Vec<Option<f64>> {
+    let mut model = mechanism.standing();
+    let set = |(varied, value): (&Varied, &f64)| {
+        let index = model.index_of(varied.source)?;
+        model.set(index, *value).ok()
+    };
+    if asked.varied.iter().zip(values).map(set).any(|done| done.is_none()) {
+        return vec![None; wanted.len()];
+    }
+    let asks = |symbol: &'static Symbol| wanted.iter().any(|result| result.symbol == symbol);
+    let extremes = governing(&model, mechanism.outline(), &asks);
+    let mut value = |result: &RangeResult| match result.found {
+        RangeFound::Extreme(_) => {
+            let found = extremes.iter().find(|found| found.symbol == result.symbol);
+            found.map(|found| found.value)
+        }
+        RangeFound::Whole(_) | RangeFound::Steady(_) => {
+            let mut variables = model.variables().iter();
+            let index = variables.position(|variable| variable.symbol == result.symbol)?;
+            model.get(index).ok()
+        }
+    };
+    wanted.iter().map(&mut value).collect()
 }
 
 struct Search<'a> {

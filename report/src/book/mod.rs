@@ -8,6 +8,7 @@ mod charts;
 mod cycle;
 mod motion;
 mod notation;
+mod search;
 mod steps;
 mod study;
 mod synthesis;
@@ -34,6 +35,7 @@ use crate::book::charts::Chart;
 use crate::book::cycle::Cycle;
 use crate::book::motion::Motion;
 use crate::book::notation::{Entry, Notation};
+use crate::book::search::{Search, search};
 use crate::book::steps::{Position, Section};
 use crate::book::study::Study;
 use crate::book::synthesis::{Synthesis, spread, synthesis};
@@ -156,6 +158,7 @@ struct Book<'a> {
     assumptions: &'a [&'static str],
     sensitivity: Sensitivity,
     synthesis: Option<Synthesis>,
+    search: Option<Search>,
     trade: Option<Trade>,
     study: Option<Study>,
     published: Option<Published>,
@@ -193,6 +196,7 @@ fn chapters(scene: &Scene, sheet: &Sheet, level: &str) -> Vec<&'static str> {
         // Many runs: only a scene that lists the chapter gets it.
         "trade" => scene.book.chapters.is_some(),
         "synthesis" => scene.search().is_some(),
+        "search" => scene.request.is_some(),
         "study" => scene.study.is_some(),
         _ => true,
     };
@@ -265,6 +269,7 @@ impl<'a> Book<'a> {
         let spread = comparison.as_ref().and_then(|comparison| spread(numbers, comparison));
         let comparison = comparison.filter(|_| has("synthesis"));
         let synthesis = comparison.and_then(|comparison| synthesis(numbers, scene, &comparison, &mut notation));
+        let search = has("search").then(|| search(numbers, scene, &mut notation)).flatten();
         let trade = (has("trade").then(|| Trade::new(numbers, scene, &mut notation))).transpose()?;
         let drawing = drawing(&sheet.drawing, SKETCH);
         let summary = |s: &sheet::Summary| blocks::summary(numbers, s);
@@ -308,6 +313,7 @@ impl<'a> Book<'a> {
             assumptions: &sheet.assumptions,
             sensitivity: tables::sensitivity(numbers, &sheet.sensitivity),
             synthesis,
+            search,
             trade,
             study,
             published: tables::published(numbers, sheet, full),

@@ -16,7 +16,7 @@ use lemnis_models::request::Goal;
 use lemnis_models::scene::Scene;
 use lemnis_synthesis::comparison::{Compared, Comparison};
 use lemnis_synthesis::run::{Outcome, decimals, run, steps};
-use toml_edit::{ArrayOfTables, Item, Table, value};
+use toml_edit::{ArrayOfTables, InlineTable, Item, Table, value};
 
 use crate::commands::asked;
 use crate::commands::watched::{SEARCHING, watched};
@@ -45,7 +45,16 @@ impl Synth {
             let fitted = matches!(asked.goal, Goal::Published);
             let found = scene_file::changed(&searched.scene, "the scene with what was found", |document| {
                 document["name"] = value(suffixed(scene.name()));
-                document["synthesis"]["seed"] = number(seed);
+                let task = &mut document["synthesis"];
+                task["seed"] = number(seed);
+                // A search from where one has ended is compared with what was before that.
+                if task.get("before").is_none() {
+                    let values = asked
+                        .varied
+                        .iter()
+                        .map(|varied| (&varied.key, varied.written(varied.value)));
+                    task["before"] = value(values.collect::<InlineTable>());
+                }
                 // What was published was so of other dimensions.
                 if let Some(mechanism) = document[scene.table].as_table_like_mut().filter(|_| !fitted) {
                     mechanism.remove("published");
