@@ -256,6 +256,16 @@ impl<P: Coordinate<P>> Level<P> {
 }
 
 impl<P: Coordinate<P>> Level<P> {
+    /// Moment of the motor's inertia on the driving link (N·m), at an acceleration (rad/s²), where there is a motor; `None`
+    /// where the linkage does not close.
+    fn lags(&self, at: &CraneAt<P>, alpha: P) -> Option<Option<P>> {
+        if !self.dynamics().is_geared() {
+            return Some(None);
+        }
+        let shaft = P::reduced(self.dynamics(), at.y[0])?.shaft;
+        Some(shaft.map(|shaft| shaft.lags(at.y[1], alpha)))
+    }
+
     /// How it moves and what acts on it; `arm` is that of its cylinder (m), where it has one. `None` where the linkage
     /// does not close.
     pub fn instant(&self, at: &CraneAt<P>, arm: P) -> Option<Instant<P>> {
@@ -280,6 +290,7 @@ impl<P: Coordinate<P>> Level<P> {
             crane => crane.shares(&at.past.crane(first(y)), &inputs.of(), first(y), together),
             system => system.shares(first(y), arm)
         );
+        let shares = shares.less(self.lags(at, rates[1])?);
         Some(Instant {
             omega: y[1],
             alpha: rates[1],

@@ -11,6 +11,7 @@ use crate::luffing::moving::given::{Constants, CylinderOil, Inputs};
 use crate::luffing::moving::hoisting::{HoistKind, LoadRope, hoisting, load_rope, load_taken, surround};
 use crate::luffing::moving::oil_scene::{oil_drive, straight_beside_oil};
 use crate::luffing::moving::symbols as s;
+use crate::luffing::resistances::train::MOTOR;
 use crate::parts::air::AIR;
 use crate::parts::control::reading::TABLE;
 use crate::parts::ground::GROUND;
@@ -94,6 +95,8 @@ pub struct Moving {
     pub slewing: Option<SlewingStart>,
     /// Of drives that follow a speed, or go to a place.
     pub controllers: Option<Controllers>,
+    /// Whether the shaft of a motor turns with it.
+    pub geared: bool,
     /// In which drives come up to their speed in the book's manoeuvres, in s.
     pub ramp: f64,
 }
@@ -114,7 +117,8 @@ impl Moving {
     /// Ids of what the model takes for granted of load, rope, hoist and controllers; `fixed` where there is no rope.
     pub fn taken(&self, fixed: &'static str) -> impl Iterator<Item = &'static str> {
         let controls = self.controllers.iter().flat_map(Controllers::taken);
-        load_taken(self.rope.as_ref(), fixed).chain(controls)
+        let shaft = self.geared.then_some("motor_shaft");
+        load_taken(self.rope.as_ref(), fixed).chain(shaft).chain(controls)
     }
 
     /// With its load fixed to the head.
@@ -187,6 +191,7 @@ impl Moving {
             strongest,
             controllers,
             rope,
+            geared: v.has("drive") && oil.is_none() && v.table("cases").is_some_and(|cases| cases.has(MOTOR.name)),
         })
     }
 }

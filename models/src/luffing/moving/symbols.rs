@@ -2,6 +2,7 @@
 
 pub use crate::kernel::gravity::G;
 use crate::kernel::symbol::{Symbol, symbols};
+pub use crate::luffing::resistances::symbols::{DDS_S, DS_S};
 pub use crate::parts::air::{
     A_AIR_X, A_AIR_Y, A_AIR_Z, CHI_AIR, DELTA_AIR, F_AIR, KAPPA_AIR, P_AIR, U_AIR, U_AIR_X, U_AIR_Y, U_AIR_Z, V_AIR,
     W_AIR,
@@ -90,6 +91,13 @@ symbols! {
     I_R: "I_r" "I" KG_M2 / T_M2, "Inertia of all bars and the counterweight, reduced to the driving link.", "Lagrange";
     DI_R: "dI_r" "I'" KG_M2 / T_M2, "Change of the reduced inertia for one radian of the driving link.", "Lagrange";
     M_W: "M_W" "M_W" N_M / KN_M, "Moment of the weights of bars and counterweight about the foot of the driving link; positive lowers it.", "virtual work";
+    DPSI_M: "dpsi_M" "psi'_M" ONE / ONE, "Turn of the motor's shaft for one radian of the driving link.", "derived";
+    DDPSI_M: "ddpsi_M" "psi''_M" ONE / ONE, "Change of that for one radian of the driving link.", "derived";
+    I_M: "I_M" "I_M" KG_M2 / T_M2, "Inertia of the motor's shaft, reduced to the driving link.", "Lagrange";
+    DI_M: "dI_M" "I'_M" KG_M2 / T_M2, "Change of the motor's reduced inertia for one radian of the driving link.", "Lagrange";
+    I_ALL: "I_all" "I_Sigma" KG_M2 / T_M2, "Inertia of all bars, the counterweight and the motor's shaft, reduced to the driving link.", "Lagrange";
+    DI_ALL: "dI_all" "I'_Sigma" KG_M2 / T_M2, "Change of that for one radian of the driving link.", "Lagrange";
+    M_IM: "M_iM" "M_(i M)" N_M / KN_M, "Moment of the motor's inertia on the driving link.", "Lagrange";
     M_NET: "M_net" "M" N_M / KN_M, "Moment that accelerates the driving link, the load on its rope left aside.", "Lagrange";
     MASS_Q: "mass_Q" "m_Q" KG / T, "Mass of the load: weight over g.", "derived";
     DDA_X: "ddA.x" "x''_A" M / M, "Change of the forward travel of A for one radian of the driving link.", "dual numbers";

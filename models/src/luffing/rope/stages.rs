@@ -92,6 +92,7 @@ composed! {
         roped: RopedParts<C> = RopedParts::new(rig, compensation, weights[!], inertia[!], choice) => _;
         hoist: HoistParts<C> = HoistParts::by_speed(ramp, give) => _;
         ..single_boom(Roped, roped);
+        built[constants]: Vec<Level<C>> = single::built(parts, boom) => _;
         ..told(phi, omega);
         still: CraneAt<C> = stages::at(phi, omega, states[!], wound, past[!], commands, fitted) => _;
         at: CraneAt<C> = stages::hanging(still, slack[!]) => _;

@@ -40,7 +40,7 @@ const SECTIONS: [(&str, &[&Symbol]); 12] = [
     (
         "motion_bodies",
         listed! { m:
-            MASS_Q, I_R5, DI_R5, I_R, DI_R, M_W, DDA_X, DDA_Y
+            MASS_Q, I_R5, DI_R5, I_R, DI_R, M_W, DDA_X, DDA_Y, DS_S, DDS_S, DPSI_M, DDPSI_M, I_M, DI_M, I_ALL, DI_ALL
         },
     ),
     ("motion_slewing", &[]),
@@ -114,6 +114,7 @@ const SECTIONS: [(&str, &[&Symbol]); 12] = [
             &m::M_RC,
             &m::M_RV,
             &m::M_RS,
+            &m::M_IM,
             &m::F_5X,
             &m::F_5Y,
             &m::M_I5,
