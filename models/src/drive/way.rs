@@ -23,20 +23,20 @@ pub struct TurnedLink<C> {
 
 /// A drive on its link.
 #[derive(Clone, Copy, Debug)]
-pub struct Way<C> {
+pub struct DriveWay<C> {
     link: TurnedLink<C>,
     mount: DriveMount<C>,
     crank: Option<(CrankRod<C>, FourBar<C>)>,
 }
 
-impl<C: Calc> Way<C> {
+impl<C: Calc> DriveWay<C> {
     pub fn new(
         link: TurnedLink<C>,
         mount: &DriveMount<C>,
         rod: &Option<CrankRod<C>>,
         crank: Option<&FourBar<C>>,
-    ) -> Way<C> {
-        Way {
+    ) -> DriveWay<C> {
+        DriveWay {
             link,
             mount: *mount,
             crank: rod.zip(crank.copied()),
@@ -45,10 +45,10 @@ impl<C: Calc> Way<C> {
 
     /// The same over another scalar.
     #[must_use]
-    pub fn map<D: Calc>(&self, f: fn(C) -> D) -> Way<D> {
+    pub fn map<D: Calc>(&self, f: fn(C) -> D) -> DriveWay<D> {
         let TurnedLink { length, foot, against } = self.link;
         let crank = |(rod, linkage): (CrankRod<C>, FourBar<C>)| (rod.map(&mut |_, x| f(x)), linkage.map(f));
-        Way {
+        DriveWay {
             link: TurnedLink {
                 length: f(length),
                 foot: foot.map(|foot| foot.map(f)),
@@ -81,7 +81,7 @@ impl<C: Calc> Way<C> {
     }
 }
 
-impl<T: Calc + DualNum> Way<Dual2<T>> {
+impl<T: Calc + DualNum> DriveWay<Dual2<T>> {
     /// What it gains for one radian of the coordinate (rad), and how that changes, in m.
     pub fn travel(&self, coordinate: T) -> Option<[T; 2]> {
         let way = self.at(Dual2::new(coordinate, T::constant(1.0), T::constant(0.0)))?;

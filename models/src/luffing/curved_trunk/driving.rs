@@ -4,7 +4,7 @@ use crate::component::stages::Found;
 use crate::drive::crank::{self, CrankRod};
 use crate::drive::line::{Drive, Reaction};
 use crate::drive::mount::{DriveMount, DrivenBar};
-use crate::drive::way::{TurnedLink, Way};
+use crate::drive::way::{DriveWay, TurnedLink};
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 use crate::luffing::curved_trunk::pins::TrunkPins;
@@ -27,13 +27,13 @@ pub fn way<C: Calc>(
     rod: &Option<CrankRod<C>>,
     crank: Option<&FourBar<C>>,
     trunk: &Trunk<C>,
-) -> Way<C> {
+) -> DriveWay<C> {
     let link = TurnedLink {
         length: trunk.b,
         foot: None,
         against: false,
     };
-    Way::new(link, mount, rod, crank)
+    DriveWay::new(link, mount, rod, crank)
 }
 
 /// # Errors

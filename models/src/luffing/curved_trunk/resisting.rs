@@ -4,7 +4,7 @@ use crate::balance::residual::Residual;
 use crate::component::scalar::Scalar;
 use crate::component::stages::Found;
 use crate::drive::line::Drive;
-use crate::drive::way::Way;
+use crate::drive::way::DriveWay;
 use crate::kernel::calc::Calc;
 use crate::luffing::balancing::Balancing;
 use crate::luffing::curved_trunk::balancing::energy;
@@ -36,7 +36,7 @@ pub struct TrunkPlaces<C> {
     choice: TrunkChoice,
     weights: TrunkWeights<C>,
     balancing: Option<Balancing<C>>,
-    way: Way<C>,
+    way: DriveWay<C>,
 }
 
 struct OfTrunk;
@@ -99,7 +99,7 @@ impl<C: Calc> TrunkPlaces<C> {
         choice: &TrunkChoice,
         weights: &TrunkWeights<C>,
         balancing: Option<&Balancing<C>>,
-        way: &Way<C>,
+        way: &DriveWay<C>,
     ) -> TrunkPlaces<C> {
         TrunkPlaces {
             tail: *tail,

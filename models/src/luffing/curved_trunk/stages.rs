@@ -13,7 +13,7 @@ use crate::drive::crank::{Cranked, cranked};
 use crate::drive::fragments::{driven, shaft};
 use crate::drive::line::{self, Drive, Reaction};
 use crate::drive::mount::DrivenBar;
-use crate::drive::way::Way;
+use crate::drive::way::DriveWay;
 use crate::kernel::group::One;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Fault;
@@ -105,7 +105,7 @@ composed! {
         ..shaft();
         analysed: Analysis = analysed(tail, choice, weights[!], balance[!]) => _, plain;
         criteria: Criteria<C> = criteria(balancing, tail, choice, weights[!], analysed);
-        way: Way<C> = driving::way(mount[!], rod, crank[?], trunk) => _;
+        way: DriveWay<C> = driving::way(mount[!], rod, crank[?], trunk) => _;
         places: TrunkPlaces<C> = TrunkPlaces::new(tail, choice, weights[!], balancing[?], way) => _;
         ..resisted(phi, drive, position, drive, residual[?]);
         ..strong();
@@ -116,7 +116,7 @@ composed! {
         ..geared(way);
         built[constants]: Vec<Level<C>> = single::driven(parts, boom, geared) => _;
         ..told(phi, omega);
-        at: CraneAt<C> = stages::at(phi, omega, states[!], wound, past[!], commands, fitted) => _;
+        at: CraneAt<C> = stages::at(phi, omega, states[!], wound, past[!], commands, brake, second, fitted) => _;
         ..boom_rates(phi, Trunked);
         ..pulled(phi);
         acting: Acting<C> = single::acting(boom, built, told, at, phi);

@@ -4,7 +4,7 @@ use crate::component::stages::Found;
 use crate::drive::crank::{self, CrankRod};
 use crate::drive::line::{Drive, Reaction};
 use crate::drive::mount::{DriveMount, DrivenBar};
-use crate::drive::way::{TurnedLink, Way};
+use crate::drive::way::{DriveWay, TurnedLink};
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 use crate::luffing::double_link::held::Held;
@@ -42,7 +42,7 @@ pub fn way<C: Calc>(
     crank: Option<&FourBar<C>>,
     l: &Lengths<C>,
     choice: &Choice,
-) -> Way<C> {
+) -> DriveWay<C> {
     let length = match choice.driven {
         Driven::Boom => l.x_1,
         Driven::Rocker => l.x_3,
@@ -52,7 +52,7 @@ pub fn way<C: Calc>(
         foot: foot(l, choice.driven),
         against: false,
     };
-    Way::new(link, mount, rod, crank)
+    DriveWay::new(link, mount, rod, crank)
 }
 
 /// # Errors

@@ -4,7 +4,7 @@ use crate::balance::residual::Residual;
 use crate::component::scalar::Scalar;
 use crate::component::stages::Found;
 use crate::drive::line::Drive;
-use crate::drive::way::Way;
+use crate::drive::way::DriveWay;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 use crate::luffing::balancing::Balancing;
@@ -37,7 +37,7 @@ pub struct LinkPlaces<C> {
     geometry: Geometry<C>,
     weights: Weights<C>,
     balancing: Option<Balancing<C>>,
-    way: Way<C>,
+    way: DriveWay<C>,
 }
 
 struct OfLink;
@@ -99,7 +99,7 @@ impl<C: Calc> LinkPlaces<C> {
         geometry: &Geometry<C>,
         weights: &Weights<C>,
         balancing: Option<&Balancing<C>>,
-        way: &Way<C>,
+        way: &DriveWay<C>,
     ) -> LinkPlaces<C> {
         LinkPlaces {
             geometry: *geometry,

@@ -13,7 +13,7 @@ use crate::drive::crank::{Cranked, cranked};
 use crate::drive::fragments::{driven, shaft};
 use crate::drive::line::{self, Drive, Reaction};
 use crate::drive::mount::{Bore, DriveMount, DrivenBar};
-use crate::drive::way::Way;
+use crate::drive::way::DriveWay;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 use crate::kernel::number::exact;
@@ -118,7 +118,7 @@ composed! {
         analysed: Analysis = analysed(lengths, jib, weights[!], balance[!], choice) => _, plain;
         criteria: Criteria<C> = criteria(balancing, geometry, weights[!], analysed, choice);
         published: PublishedFormulas<C> = published(geometry, jib, theta) => _;
-        way: Way<C> = driving::way(mount[!], rod, crank[?], lengths, choice) => _;
+        way: DriveWay<C> = driving::way(mount[!], rod, crank[?], lengths, choice) => _;
         places: LinkPlaces<C> = LinkPlaces::new(geometry, weights[!], balancing[?], way) => _;
         ..resisted(theta, drive, position, drive, residual[?]);
         unbalanced: Unbalanced<C> = Unbalanced::new(position, velocity, weights[!], own, moved, bodies, chosen[!]);
@@ -133,7 +133,7 @@ composed! {
         ..geared(way);
         built[constants]: Vec<Level<C>> = motion::built(parts, linkage, geared) => _;
         ..told(theta, omega);
-        at: CraneAt<C> = stages::at(theta, omega, states[!], wound, past[!], commands, fitted) => _;
+        at: CraneAt<C> = stages::at(theta, omega, states[!], wound, past[!], commands, brake, second, fitted) => _;
         moves: CraneMoves<C> = stages::moves(built, told, at, theta) => _;
         turning_link: LinkRates<C> = LinkRates::new(moves);
         rates: CraneRates<C> = CraneRates::new(moves, fitted);

@@ -4,7 +4,7 @@ use crate::component::stages::Found;
 use crate::drive::crank::{self, CrankRod};
 use crate::drive::line::{self, Drive, Reaction};
 use crate::drive::mount::{DriveMount, DrivenBar};
-use crate::drive::way::{TurnedLink, Way};
+use crate::drive::way::{DriveWay, TurnedLink};
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 use crate::luffing::ellipsograph::position::{Bars, GuidedChoice, GuidedPosition};
@@ -27,13 +27,13 @@ pub fn way<C: Calc>(
     rod: &Option<CrankRod<C>>,
     crank: Option<&FourBar<C>>,
     bars: &Bars<C>,
-) -> Way<C> {
+) -> DriveWay<C> {
     let link = TurnedLink {
         length: bars.c,
         foot: None,
         against: true,
     };
-    Way::new(link, mount, rod, crank)
+    DriveWay::new(link, mount, rod, crank)
 }
 
 /// # Errors

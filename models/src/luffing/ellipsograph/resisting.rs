@@ -4,7 +4,7 @@ use crate::balance::residual::Residual;
 use crate::component::scalar::Scalar;
 use crate::component::stages::Found;
 use crate::drive::line::Drive;
-use crate::drive::way::Way;
+use crate::drive::way::DriveWay;
 use crate::kernel::calc::Calc;
 use crate::luffing::balancing::Balancing;
 use crate::luffing::ellipsograph::position::{Bars, GuidedPosition, axes};
@@ -32,7 +32,7 @@ pub struct GuidedPlaces<C> {
     bars: Bars<C>,
     weights: GuidedWeights<C>,
     balancing: Option<Balancing<C>>,
-    way: Way<C>,
+    way: DriveWay<C>,
 }
 
 struct OfGuided;
@@ -94,7 +94,7 @@ impl<C: Calc> GuidedPlaces<C> {
         bars: &Bars<C>,
         weights: &GuidedWeights<C>,
         balancing: Option<&Balancing<C>>,
-        way: &Way<C>,
+        way: &DriveWay<C>,
     ) -> GuidedPlaces<C> {
         GuidedPlaces {
             bars: *bars,

@@ -13,7 +13,7 @@ use crate::drive::crank::{Cranked, cranked};
 use crate::drive::fragments::{driven, shaft};
 use crate::drive::line::{self, Drive, Reaction};
 use crate::drive::mount::DrivenBar;
-use crate::drive::way::Way;
+use crate::drive::way::DriveWay;
 use crate::kernel::group::One;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::luffing::balancing::{Balanced, Balancing};
@@ -98,7 +98,7 @@ composed! {
         ..shaft();
         analysed: Analysis = analysed(bars, weights[!], balance[!], choice) => _, plain;
         criteria: Criteria<C> = criteria(balancing, bars, weights[!], analysed, choice);
-        way: Way<C> = driving::way(mount[!], rod, crank[?], bars) => _;
+        way: DriveWay<C> = driving::way(mount[!], rod, crank[?], bars) => _;
         places: GuidedPlaces<C> = GuidedPlaces::new(bars, weights[!], balancing[?], way) => _;
         ..resisted(phi, drive, position, drive, residual[?]);
         ..strong();
@@ -109,7 +109,7 @@ composed! {
         ..geared(way);
         built[constants]: Vec<Level<C>> = single::driven(parts, boom, geared) => _;
         ..told(phi, omega);
-        at: CraneAt<C> = stages::at(phi, omega, states[!], wound, past[!], commands, fitted) => _;
+        at: CraneAt<C> = stages::at(phi, omega, states[!], wound, past[!], commands, brake, second, fitted) => _;
         ..boom_rates(phi, Guided);
         ..pulled(phi);
         acting: Acting<C> = single::acting(boom, built, told, at, phi);

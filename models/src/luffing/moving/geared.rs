@@ -4,21 +4,21 @@
 use num_dual::{Dual2, Dual64};
 
 use crate::component::scalar::{EachScalar, Scalar};
-use crate::drive::way::Way;
+use crate::drive::way::DriveWay;
 use crate::kernel::calc::{Calc, Over, Takes};
 use crate::kernel::record::Rec;
-use crate::luffing::moving::reduced::{Renewed, Shaft};
+use crate::luffing::moving::reduced::{MotorShaft, Renewed};
 use crate::luffing::resistances::given::CaseMotor;
 use crate::luffing::resistances::symbols as s;
 
 /// A motor on the way of its drive, at no particular angle.
 #[derive(Clone)]
 pub struct Geared<P> {
-    way: Way<P>,
+    way: DriveWay<P>,
     motor: CaseMotor<P>,
     /// For two and for three derivatives.
-    twice: Way<Dual2<f64>>,
-    thrice: Way<Dual2<Dual64>>,
+    twice: DriveWay<Dual2<f64>>,
+    thrice: DriveWay<Dual2<Dual64>>,
     travel: Travel<P>,
 }
 
@@ -29,7 +29,7 @@ impl<P: Calc> Geared<P>
 where
     Dual64: Over<P>,
 {
-    fn new(way: &Way<P>, motor: &CaseMotor<P>, travel: Travel<P>) -> Geared<P> {
+    fn new(way: &DriveWay<P>, motor: &CaseMotor<P>, travel: Travel<P>) -> Geared<P> {
         Geared {
             way: *way,
             motor: *motor,
@@ -42,17 +42,17 @@ where
 
 impl<P: Calc> Geared<P> {
     /// At a coordinate (rad); `None` where a crank does not meet the link.
-    pub fn turned(&self, at: P) -> Option<Shaft<P>> {
+    pub fn turned(&self, at: P) -> Option<MotorShaft<P>> {
         let travel = (self.travel)(self, at)?;
-        Some(Shaft::new(travel, self.motor.j, self.motor.arm()))
+        Some(MotorShaft::new(travel, self.motor.j, self.motor.arm()))
     }
 }
 
 impl Geared<f64> {
     /// The same with one more derivative by the coordinate.
-    pub fn with_slope(&self, at: Dual64) -> Option<Shaft<Dual64>> {
+    pub fn with_slope(&self, at: Dual64) -> Option<MotorShaft<Dual64>> {
         let [inertia, arm] = [self.motor.j, self.motor.arm()].map(Dual64::of);
-        Some(Shaft::new(self.thrice.travel(at)?, inertia, arm))
+        Some(MotorShaft::new(self.thrice.travel(at)?, inertia, arm))
     }
 }
 
@@ -68,20 +68,20 @@ fn named(of: &Geared<Rec>, at: Rec) -> Option<[Rec; 2]> {
 struct Turning;
 
 impl EachScalar for Turning {
-    type For<C: Calc> = fn(&Way<C>, &CaseMotor<C>) -> Geared<C>;
-    fn plain() -> fn(&Way<f64>, &CaseMotor<f64>) -> Geared<f64> {
+    type For<C: Calc> = fn(&DriveWay<C>, &CaseMotor<C>) -> Geared<C>;
+    fn plain() -> fn(&DriveWay<f64>, &CaseMotor<f64>) -> Geared<f64> {
         |way, motor| Geared::new(way, motor, |of, at| of.twice.travel(at))
     }
-    fn dual() -> fn(&Way<Dual64>, &CaseMotor<Dual64>) -> Geared<Dual64> {
+    fn dual() -> fn(&DriveWay<Dual64>, &CaseMotor<Dual64>) -> Geared<Dual64> {
         |way, motor| Geared::new(way, motor, |of, at| of.thrice.travel(at))
     }
-    fn recorded() -> fn(&Way<Rec>, &CaseMotor<Rec>) -> Geared<Rec> {
+    fn recorded() -> fn(&DriveWay<Rec>, &CaseMotor<Rec>) -> Geared<Rec> {
         |way, motor| Geared::new(way, motor, named)
     }
 }
 
 /// The motor on its drive, where the scene has both, into the room for it.
-pub fn geared<C: Scalar>(way: Option<&Way<C>>, motor: &Option<CaseMotor<C>>, room: &mut Vec<Renewed<Geared<C>>>) {
+pub fn geared<C: Scalar>(way: Option<&DriveWay<C>>, motor: &Option<CaseMotor<C>>, room: &mut Vec<Renewed<Geared<C>>>) {
     match way.zip(motor.as_ref()) {
         Some((way, motor)) => Renewed::renew(room, C::own::<Turning>()(way, motor)),
         None => room.clear(),

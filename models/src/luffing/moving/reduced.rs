@@ -31,25 +31,25 @@ pub struct Reduced<C> {
     /// leads the load's rope away from the head; it does not slew then.
     pub lead: Option<[C; 2]>,
     /// Of the motor, where its inertia is a part of the above.
-    pub shaft: Option<Shaft<C>>,
+    pub shaft: Option<MotorShaft<C>>,
 }
 
 /// The shaft of a motor at one angle of the driving link: its turn for one radian of that, its inertia there (kg·m²), and how
 /// that changes with the angle.
 #[derive(Clone, Copy, Debug)]
-pub struct Shaft<C> {
+pub struct MotorShaft<C> {
     pub ratio: C,
     pub inertia: C,
     pub slope: C,
 }
 
-impl<C: Calc> Shaft<C> {
+impl<C: Calc> MotorShaft<C> {
     /// ψ′ = s′ / r, I_M = J_M ψ′², I_M′ = 2 J_M ψ′ ψ″, of the drive's travel for one radian and its change (m), on an arm r (m).
     /// [Lagrange]
-    pub fn new([travel, bend]: [C; 2], inertia: C, arm: C) -> Shaft<C> {
+    pub fn new([travel, bend]: [C; 2], inertia: C, arm: C) -> MotorShaft<C> {
         let ratio = (travel / arm).def(&s::DPSI_M);
         let change = (bend / arm).def(&s::DDPSI_M);
-        Shaft {
+        MotorShaft {
             ratio,
             inertia: (inertia * ratio.square()).def(&s::I_M),
             slope: (C::constant(2.0) * inertia * ratio * change).def(&s::DI_M),
@@ -57,11 +57,19 @@ impl<C: Calc> Shaft<C> {
     }
 
     /// Over another scalar.
-    pub fn map<D>(self, f: impl Fn(C) -> D) -> Shaft<D> {
-        Shaft {
+    pub fn map<D>(self, f: impl Fn(C) -> D) -> MotorShaft<D> {
+        MotorShaft {
             ratio: f(self.ratio),
             inertia: f(self.inertia),
             slope: f(self.slope),
+        }
+    }
+
+    /// Moment at the driving link of brakes on it (N·m), |ψ′| T. [virtual work]
+    pub fn braked(&self, torque: C) -> C {
+        match torque.value() {
+            0.0 => torque,
+            _ => (self.ratio.abs() * torque).def(&s::M_BM),
         }
     }
 
@@ -93,7 +101,7 @@ impl<C: Calc> Reduced<C> {
 impl<C: Calc> Reduced<C> {
     /// With the shaft of a motor.
     #[must_use]
-    pub fn with(self, shaft: Shaft<C>) -> Reduced<C> {
+    pub fn with(self, shaft: MotorShaft<C>) -> Reduced<C> {
         Reduced {
             inertia: (self.inertia + shaft.inertia).def(&s::I_ALL),
             slope: (self.slope + shaft.slope).def(&s::DI_ALL),

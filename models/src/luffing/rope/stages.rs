@@ -94,7 +94,7 @@ composed! {
         ..single_boom(Roped, roped);
         built[constants]: Vec<Level<C>> = single::built(parts, boom) => _;
         ..told(phi, omega);
-        still: CraneAt<C> = stages::at(phi, omega, states[!], wound, past[!], commands, fitted) => _;
+        still: CraneAt<C> = stages::at(phi, omega, states[!], wound, past[!], commands, brake, second, fitted) => _;
         at: CraneAt<C> = stages::hanging(still, slack[!]) => _;
         ..boom_rates(phi, Roped);
         resisting: C = stages::resisting(built, told, at, phi) => M_R;

@@ -28,6 +28,7 @@ use crate::luffing::moving::told::manoeuvres::{Pilot, Planned, at_rest, designed
 use crate::luffing::moving::told::present::{recorded, standing};
 use crate::luffing::moving::told::run::{EVENTS, Run, timed};
 use crate::luffing::moving::told::shown::Shown;
+use crate::luffing::moving::told::stop::Stop;
 use crate::parts::hydraulics::symbols as h;
 use crate::parts::hydraulics::throttle::LAMINAR;
 
@@ -251,6 +252,7 @@ fn ran<T: Shown>(
             .collect(),
         seen: run.series.frames(&model, &frames),
         events: run.listed(),
+        stop: run.stop.iter().flat_map(Stop::told).collect(),
         more_events: run.events.len().saturating_sub(EVENTS),
         energy: run.energy.list(moving),
     };
