@@ -30,7 +30,7 @@ def braked(name, moment, call, changes=(), rope="", more=""):
     text = (SCENES / "portal_004_drive.toml").read_text(encoding="utf-8").replace("PortalCraneDrive", name)
     inertias = "".join(f'J_{i} = "{value} kg.m2"\n' for i, value in enumerate((951600, 201200, 114500), 1))
     dynamics = (f'[luffing.dynamics]\n{inertias}c_v = "{C_V / 1e3} kN.m.s"\nM_F = "{M_F / 1e3} kN.m"\nstep = "5 ms"\n'
-                f'M_A = {moment}\nu_b = {call}\n{rope}\n{more}')
+                f'M_A = {moment}\nu_br = {call}\n{rope}\n{more}')
     level = "swing" if rope else "rigid"
     text = text.replace("[luffing]\n", f'[luffing]\nfidelity = "{level}"\n', 1)
     for old, new in changes:
@@ -138,10 +138,10 @@ def test_a_stop_by_two_brakes_is_that_of_the_reduced_equation(crane, stop, stand
 
 def test_the_motor_s_shaft_is_most_of_what_is_stopped(crane):
     """So that the test above asks for it, and for its change with the angle."""
-    assert crane.shaft * crane.ratio(FROM) ** 2 > 0.3 * crane.inertia(FROM)
-    light = Crane(radians(43.5), radians(48), shaft=0.0)
-    with_it, without = (c.run(CALLED, BRAKES, TIMES)[0] for c in (crane, light))
-    assert np.abs(with_it - without).max() > 0.1 * np.abs(with_it - with_it[0]).max()
+    x, rate = crane.run(CALLED, BRAKES, [CALLED])[0][0]
+    shaft = crane.shaft * crane.ratio(x) ** 2
+    change = crane.shaft * crane.ratio(x) * crane.ratio_change(x) * rate ** 2
+    assert shaft > 0.5 * crane.inertia(x) and abs(change) > 1e-4 * abs(crane.inertia(x) * crane.acceleration(x, rate, M_A, 0.0, 1))
 
 
 def test_a_short_stop_comes_near_its_closed_form(crane, tmp_path):
@@ -276,6 +276,8 @@ def accelerations(folder, scene, drive, motor, points):
     if not motor and 'kind = "rack"' not in drive:
         more.pop("luffing.drive"), more.pop("cases")
     text = "\n[".join([*tables.values(), *more.values()])
+    # The crank meets its rod from there on.
+    text = text.replace('from  = "42 deg"', 'from  = "44 deg"')
     text = text.replace('fidelity = "swing"', 'fidelity = "rigid"')
     if "fidelity" not in text:
         text = text.replace("[luffing]\n", '[luffing]\nfidelity = "rigid"\n', 1)
