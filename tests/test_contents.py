@@ -96,7 +96,7 @@ SAID = {
     "curved_trunk": ({"trunk_rope"}, {"ellipsograph_rope"}),
     "curved_trunk_motion": ({"level_swing", "trunk_masses", "trunk_taut", "counterweight", "slack", "hoist_ramp", "forces_in_motion"},
                             {"level_rigid", "trunk_load", "trunk_forces"}),
-    "portal_004_braked": ({"level_rigid", "fixed_load", "sticking", "motor_shaft", "shaft_brakes", "forces_in_motion"}, {"rope", "hoist"}),
+    "portal_004_braked": ({"level_swing", "rope", "sticking", "motor_shaft", "shaft_brakes", "forces_in_motion"}, {"fixed_load", "slewing"}),
     "rigid": ({"level_rigid", "fixed_load", "sticking", "solver_runge_kutta", "forces_in_motion"}, {"rope", "hoist", "slewing"}),
     "hydraulic": ({"level_hydraulic", "oil", "creep", "buffer", "solver_rodas"},
                   {"rope", "sticking", "stops", "anti_cavitation", "load_holding", "pump_limits", "tank"}),
