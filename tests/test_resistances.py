@@ -299,7 +299,7 @@ def test_a_start_along_the_slip_curve_is_that_of_the_integral_and_of_its_closed_
     signs = set()
     for degrees, at in found.items():
         for number, v in ((1, -0.05), (2, 0.06)):
-            s_f, t_0, inertia = 1 - abs(v) / 0.0031 / (1500 / 60), at[f"T_0[{number}]"], at[f"J_t[{number}]"]
+            s_f, t_0, inertia = 1 - abs(v) / 0.0031 / (1500 / 60), at[f"T_0[{number}]"], at[f"J_start[{number}]"]
             torque = lambda s: 2 * 2.6 * rated / (s / s_k + s_k / s)
             ends = [s_f, s_k, 1] if s_f < s_k else [s_f, 1]
             integral = mp.quad(lambda s: 1 / (torque(s) - t_0), ends)
@@ -326,7 +326,7 @@ def test_a_start_along_the_slip_curve_is_that_of_an_integration_in_time(tmp_path
 
     def speeds_up(t, y):
         slip = 1 - y[0] / full
-        return [(2 * 2.6 * rated / (slip / s_k + s_k / slip) - at["T_0[2]"]) / at["J_t[2]"]]
+        return [(2 * 2.6 * rated / (slip / s_k + s_k / slip) - at["T_0[2]"]) / at["J_start[2]"]]
 
     reached = lambda t, y: y[0] - 2 * pi * 0.06 / 0.0031
     reached.terminal = True
@@ -348,7 +348,7 @@ def test_an_inverter_keeps_its_ramp_as_far_as_its_torque_allows(tmp_path):
         found = table(scene_of(tmp_path, "portal_004_drive", *FASTER, start("inverter", t_r=f"{ramp} s", lambda_inv=limit)))
         for at in found.values():
             for number, v in ((1, 0.05), (2, 0.06)):
-                momentum, t_0 = at[f"J_t[{number}]"] * 2 * pi * v / 0.0031, at[f"T_0[{number}]"]
+                momentum, t_0 = at[f"J_start[{number}]"] * 2 * pi * v / 0.0031, at[f"T_0[{number}]"]
                 time = max(ramp, momentum / (limit * rated - t_0))
                 seen.add(time > ramp)
                 assert at[f"t_inv[{number}]"] == pytest.approx(time, rel=1e-12)

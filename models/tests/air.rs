@@ -19,6 +19,7 @@ const HELD: JointDrive = JointDrive {
     brake: f64::INFINITY,
 };
 const BRAKED: Commands<2> = Commands {
+    shaft: 0.0,
     drives: [HELD, HELD],
     hoist: HoistCommand::speed(0.0),
 };
@@ -137,10 +138,12 @@ fn in_its_plane_it_moves_as_in_space() {
         (state.y[11], state.drum) = (0.2, Drum::at(0.2));
         let push = JointDrive { moment, brake: 0.0 };
         let flat_commands = Commands {
+            shaft: 0.0,
             drives: [push],
             hoist: HoistCommand::speed(0.2),
         };
         let commands = Commands {
+            shaft: 0.0,
             drives: [push, HELD],
             hoist: HoistCommand::speed(0.2),
         };

@@ -156,6 +156,8 @@ fn inputs(moment: f64, brake: f64) -> Inputs {
         supply: 250e5,
         wind: [0.0; 2],
         torn: [0.0; 2],
+        braking: 0.0,
+        shaft: 0.0,
     }
 }
 

@@ -90,8 +90,13 @@ impl Both {
 
     fn commands(speed: f64, drive: JointDrive) -> (Commands<1>, Commands<2>) {
         let hoist = HoistCommand::speed(speed);
-        let one = Commands { drives: [drive], hoist };
+        let one = Commands {
+            shaft: 0.0,
+            drives: [drive],
+            hoist,
+        };
         let both = Commands {
+            shaft: 0.0,
             drives: [drive, HELD],
             hoist,
         };

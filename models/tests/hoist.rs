@@ -59,6 +59,7 @@ impl Both {
     /// Moves on for a step under a command of the hoist, in m/s. Returns whether the rope pulls and with what force (N).
     fn step(&mut self, hoist: f64) -> [(bool, f64); 2] {
         let held = Commands {
+            shaft: 0.0,
             drives: [JointDrive {
                 moment: 0.0,
                 brake: 1e12,
@@ -70,6 +71,7 @@ impl Both {
             brake: 1e12,
         };
         let both = Commands {
+            shaft: 0.0,
             drives: [joint; 2],
             hoist: HoistCommand::speed(hoist),
         };
@@ -137,6 +139,7 @@ fn a_stop_faster_than_gravity_leaves_the_rope_slack() {
 #[test]
 fn a_blow_is_shared_with_the_boom() {
     let commands = |hoist: f64| Commands {
+        shaft: 0.0,
         drives: [JointDrive {
             moment: 0.0,
             brake: 0.0,
@@ -148,6 +151,7 @@ fn a_blow_is_shared_with_the_boom() {
         brake: 0.0,
     };
     let both_commands = |hoist: f64| Commands {
+        shaft: 0.0,
         drives: [joint; 2],
         hoist: HoistCommand::speed(hoist),
     };

@@ -73,6 +73,7 @@ impl Both {
     /// Moves on for a step. Returns the forces of the rope (N).
     fn step(&mut self, hoist: HoistCommand) -> [f64; 2] {
         let held = Commands {
+            shaft: 0.0,
             drives: [JointDrive {
                 moment: 0.0,
                 brake: HELD.brake,
@@ -80,6 +81,7 @@ impl Both {
             hoist,
         };
         let both = Commands {
+            shaft: 0.0,
             drives: [HELD; 2],
             hoist,
         };
@@ -351,10 +353,12 @@ fn plane_and_space_agree_while_all_moves() {
         for i in 0..3000 {
             let moment = if i < 1500 { 2.4e6 } else { 0.6e6 };
             let commands = Commands {
+                shaft: 0.0,
                 drives: [JointDrive { moment, brake: 0.0 }],
                 hoist,
             };
             let both = Commands {
+                shaft: 0.0,
                 drives: [JointDrive { moment, brake: 0.0 }, HELD],
                 hoist,
             };

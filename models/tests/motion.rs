@@ -277,6 +277,7 @@ fn a_shorter_rope_swings_wider() {
     let mut state = at(90.0, 40.0);
     state.y[2] = 0.01;
     let hoisting = Commands {
+        shaft: 0.0,
         hoist: HoistCommand::speed(-0.02),
         ..held
     };

@@ -159,6 +159,7 @@ fn moving(dynamics: Dynamics, coulomb: f64, stops: [f64; 2]) -> MovingLinkage {
 
 fn told(moment: f64, brake: f64, speed: f64) -> Commands<1> {
     Commands {
+        shaft: 0.0,
         drives: [JointDrive { moment, brake }],
         hoist: HoistCommand::speed(speed),
     }

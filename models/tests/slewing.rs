@@ -30,6 +30,7 @@ const HELD: JointDrive = JointDrive {
     brake: f64::INFINITY,
 };
 const BRAKED: Commands<2> = Commands {
+    shaft: 0.0,
     drives: [HELD, HELD],
     hoist: HoistCommand::speed(0.0),
 };
@@ -136,11 +137,13 @@ fn in_the_plane_it_is_the_crane_that_does_not_slew() {
         (flat.y[7], flat.drum) = (0.2, Drum::at(0.2));
         (state.y[11], state.drum) = (0.2, Drum::at(0.2));
         let flat_commands = Commands {
+            shaft: 0.0,
             drives: [JointDrive { moment, brake: 0.0 }],
             hoist: HoistCommand::speed(0.2),
         };
         let push = JointDrive { moment, brake: 0.0 };
         let commands = Commands {
+            shaft: 0.0,
             drives: [push, HELD],
             hoist: HoistCommand::speed(0.2),
         };
@@ -189,6 +192,7 @@ fn a_conical_pendulum_stands_still() {
     state.put_load([phi, 0.0]);
     state.y[3] = 0.3;
     let commands = Commands {
+        shaft: 0.0,
         drives: [HELD, NONE],
         hoist: HoistCommand::speed(0.0),
     };
@@ -213,6 +217,7 @@ fn angular_momentum_and_energy_are_conserved() {
     let mut state = at(75.0, 10.0, [0.4, 0.3]);
     (state.y[3], state.y[9]) = (0.2, 1.5);
     let held = Commands {
+        shaft: 0.0,
         drives: [HELD, NONE],
         hoist: HoistCommand::speed(0.0),
     };
@@ -236,6 +241,7 @@ fn angular_momentum_and_energy_are_conserved() {
     let mut state = at(75.0, 10.0, [0.4, 0.3]);
     state.y[3] = 0.2;
     let commands = Commands {
+        shaft: 0.0,
         drives: [
             JointDrive {
                 moment: 2.2e6,
@@ -291,6 +297,7 @@ fn slewing_truly_sticks() {
         (-50_001.0, true),
     ] {
         let commands = Commands {
+            shaft: 0.0,
             drives: [NONE, JointDrive { moment, brake: 0.0 }],
             hoist: HoistCommand::speed(0.0),
         };
@@ -335,6 +342,7 @@ fn work_is_stored_or_dissipated() {
         let way = if (i / 20_000) % 2 == 0 { 1.0 } else { -1.0 };
         let drive = |moment: f64| JointDrive { moment, brake: 0.0 };
         let commands = Commands {
+            shaft: 0.0,
             drives: [drive(hold + 3e5 * way), drive(6e5 * way)],
             hoist: HoistCommand::speed(0.0),
         };
@@ -386,6 +394,7 @@ fn a_slack_rope_catches_its_load_sideways() {
     let scale = 10.0 / length;
     state.y[4..7].iter_mut().for_each(|x| *x *= scale);
     let commands = Commands {
+        shaft: 0.0,
         drives: [
             JointDrive {
                 moment: 3e6,
@@ -414,6 +423,7 @@ fn a_slewing_stop_catches_the_crane() {
     let mut m = crane::slewing(Some(crane::PENDULUM), 5e6, [[0.0, f64::INFINITY], [0.0, 1e4]]);
     m.joints[1].stops = [-0.5, 0.5];
     let push = |moment: f64| Commands {
+        shaft: 0.0,
         drives: [NONE, JointDrive { moment, brake: 0.0 }],
         hoist: HoistCommand::speed(0.0),
     };
@@ -439,6 +449,7 @@ fn luffing_in_slews_faster() {
     let mut state = SlewingState::resting(70_f64.to_radians(), 0.0);
     state.y[3] = 0.2;
     let commands = Commands {
+        shaft: 0.0,
         drives: [
             JointDrive {
                 moment: 3.2e6,
@@ -480,6 +491,7 @@ fn angles_and_places_agree() {
 fn restored_and_irregular_steps_agree() {
     let m = crane::slewing(Some(crane::PENDULUM), 5e6, [[1e5, 20e3], [2e5, 20e3]]);
     let commands = Commands {
+        shaft: 0.0,
         drives: [
             JointDrive {
                 moment: 2.4e6,

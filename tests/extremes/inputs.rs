@@ -35,6 +35,7 @@ fn denormal_huge_and_broken_inputs() {
         // The rate of the load's distance is the hoist's own; nothing else differs.
         let hoisted = run(
             Commands {
+                shaft: 0.0,
                 hoist: HoistCommand::speed(tiny),
                 ..NONE
             },
@@ -48,6 +49,7 @@ fn denormal_huge_and_broken_inputs() {
         assert_eq!(
             run(
                 Commands {
+                    shaft: 0.0,
                     hoist: HoistCommand::speed(broken),
                     ..NONE
                 },

@@ -10,6 +10,7 @@ use lemnis_models::parts::joint::{Friction, Joint, JointDrive};
 use super::crane;
 
 const HELD: Commands<1> = Commands {
+    shaft: 0.0,
     drives: [JointDrive {
         moment: 0.0,
         brake: f64::INFINITY,

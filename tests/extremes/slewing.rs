@@ -23,12 +23,14 @@ const BRAKED: JointDrive = JointDrive {
     brake: f64::INFINITY,
 };
 const HELD: Commands<2> = Commands {
+    shaft: 0.0,
     drives: [BRAKED, BRAKED],
     hoist: HoistCommand::speed(0.0),
 };
 
 fn slews(moment: f64) -> Commands<2> {
     Commands {
+        shaft: 0.0,
         drives: [BRAKED, JointDrive { moment, brake: 0.0 }],
         hoist: HoistCommand::speed(0.0),
     }
@@ -214,6 +216,7 @@ fn inputs_and_steps() {
         m.advance(&mut state, &commands, duration, 0.01).map(|_| state)
     };
     let driven = |drive: JointDrive| Commands {
+        shaft: 0.0,
         drives: [NONE, drive],
         hoist: HoistCommand::speed(0.0),
     };

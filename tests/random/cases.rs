@@ -39,6 +39,11 @@ pub fn cases(n: &mut Node, parts: &CaseParts) {
         there.extend(tables.filter(|table| c.has(table)));
         there.extend(drive.filter(|(kind, ..)| kind == "cylinder").map(|_| "cylinder"));
     }
+    let on_shaft = n.child("cases").is_some_and(|c| c.has("motor") && c.has("brake"));
+    let braked = on_shaft && n.has("drive") && !n.has("hydraulics");
+    if let Some(mut dynamics) = n.child("dynamics").filter(|_| !braked) {
+        dynamics.remove(&["u_br"]);
+    }
     if !n.has("limits") && LIMITS.iter().any(|(table, _, needed)| *needed && there.contains(table)) {
         n.put("limits", Table::new());
     }

@@ -173,6 +173,8 @@ pub struct Manoeuvre {
     pub seen: Seen,
     /// What happened: when (s), and its id.
     pub events: Vec<(f64, &'static str)>,
+    /// What a stop came to: found in the run, and in closed form.
+    pub stop: Vec<(&'static Symbol, [f64; 2])>,
     /// How many more events there were.
     pub more_events: usize,
     pub energy: Energy,

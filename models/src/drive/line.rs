@@ -9,7 +9,6 @@ use crate::drive::shaft::{Gearing, Shaft};
 use crate::drive::symbols as s;
 use crate::kernel::calc::Calc;
 use crate::kernel::symbol::Symbol;
-use crate::parts::four_bar::FourBar;
 use crate::parts::hydraulics::cylinder;
 use crate::parts::plane::{self, Point};
 
@@ -106,43 +105,6 @@ impl<C: Calc> Reaction<C> {
             f_d,
             force: drive.along(f_d),
         }
-    }
-}
-
-/// A drive as it takes hold, over any scalar.
-#[derive(Clone, Copy, Debug)]
-pub struct Mounted<C> {
-    mount: DriveMount<C>,
-    crank: Option<(CrankRod<C>, FourBar<C>)>,
-}
-
-impl<C: Calc> Mounted<C> {
-    pub fn new(mount: &DriveMount<C>, rod: &Option<CrankRod<C>>, crank: Option<&FourBar<C>>) -> Mounted<C> {
-        Mounted {
-            mount: *mount,
-            crank: rod.zip(crank.copied()),
-        }
-    }
-
-    /// The same over another scalar.
-    #[must_use]
-    pub fn map<D: Calc>(&self, f: fn(C) -> D) -> Mounted<D> {
-        let crank = |(rod, linkage): (CrankRod<C>, FourBar<C>)| (rod.map(&mut |_, x| f(x)), linkage.map(f));
-        Mounted {
-            mount: self.mount.map(&mut |_, x| f(x)),
-            crank: self.crank.map(crank),
-        }
-    }
-
-    /// Its way (m), whose rate a motor gives: its length, of a sector that of its teeth, of a crank that of its pin; `None`
-    /// where a crank does not meet the link.
-    pub fn way(&self, bar: &DrivenBar<C>) -> Option<C> {
-        let angle = bar.angle.1;
-        Some(match (&self.mount, &self.crank) {
-            (DriveMount::Anchors(a), Some((rod, linkage))) => rod.r_cr * rod.at(linkage, angle + a.chi_d)?.angle(),
-            (DriveMount::Anchors(a), None) => Drive::new(bar, a).l_d,
-            (DriveMount::Sector(sector), _) => sector.r_s * angle,
-        })
     }
 }
 

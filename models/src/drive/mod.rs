@@ -23,3 +23,4 @@ pub mod screw;
 pub mod sector;
 pub mod shaft;
 pub mod symbols;
+pub mod way;

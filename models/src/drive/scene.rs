@@ -217,16 +217,33 @@ pub fn meets(v: &Values, driving: &Driving, foot: Option<Point<f64>>, range: [f6
     found.push(d.refuse("l_cr", what, "does not reach", help));
 }
 
-/// Refuses a torque in a mechanism that `moves`, and limits of what the drive has not, with or without `forces`.
-pub fn fits(v: &Values, gear: Option<&Gear<f64>>, [moves, forces]: [bool; 2], found: &mut Vec<Diagnostic>) {
-    if let Some(d) = v.table("drive").filter(|_| moves && gear.is_some()) {
+/// Kinds of drives whose shaft may turn with a single boom in motion, and with a linkage whose pins carry the line of a drive.
+pub const TURNED: [&str; 3] = ["rack", "sector", "crank"];
+pub const TURNED_LINE: [&str; 1] = ["rack"];
+
+/// Refuses a torque in a mechanism that moves, but with a motor by a drive of some kinds, and limits of what the drive has
+/// not, with or without `forces`; `None` of what does not move.
+pub fn fits(
+    v: &Values,
+    gear: Option<&Gear<f64>>,
+    (moves, forces): (Option<&[&str]>, bool),
+    found: &mut Vec<Diagnostic>,
+) {
+    let motor = v.table("cases").is_some_and(|cases| cases.has("motor"));
+    let turns = |d: &&Values| {
+        motor
+            && d.text("kind")
+                .is_some_and(|kind| moves.is_some_and(|kinds| kinds.contains(&kind)))
+    };
+    let told = v.table("drive").filter(|_| moves.is_some() && gear.is_some());
+    if let Some(d) = told.filter(|d| !turns(d)) {
         let key = if d.text("kind") == Some("rack") {
             s::R_Z.id
         } else {
             "kind"
         };
         let what = "the torque of a drive's shaft is calculated at rest alone, and this mechanism moves by itself";
-        let help = "set fidelity = \"static\" or \"table\" in [luffing] and leave out what moves, or make it a rack without r_z";
+        let help = "set fidelity = \"static\" or \"table\" in [luffing] and leave out what moves, make it a rack without r_z, or give the motor whose shaft turns with a rack, [cases.motor]";
         found.push(d.refuse(key, what, "not at this level", help));
     }
     let Some(limits) = v.table("limits") else { return };

@@ -18,7 +18,7 @@ symbols! {
     P_M: "P_M" "P_(M i)" W / KW, "Power at the motor's shaft; positive where the motor drives.", "[Ports001, 5.6]";
     U_M: "u_M" "u_(M i)" ONE / ONE, "Power at the motor's shaft over the greatest that the motor may give.", "[Ports001, 5.6]";
     T_0: "T_0" "T_(0 i)" N_M / N_M, "Torque at the motor's shaft against steady motion, without inertia; negative where the load drives.", "[Ports001, 5.6]";
-    J_T: "J_t" "J_(t i)" KG_M2 / KG_M2, "Inertia of all that a start accelerates, at the motor's shaft.", "[Ports001, 5.6]";
+    J_START: "J_start" "J_(t i)" KG_M2 / KG_M2, "Inertia of all that a start accelerates, at the motor's shaft.", "[Ports001, 5.6]";
     T_START: "t_start" "t_(a i)" S / S [infinite("where the motor cannot start")], "Time of a start from this position.", "[Ports001, 5.6]";
     A_START: "a_start" "a_(a i)" M_PER_S2 / M_PER_S2, "Mean horizontal acceleration of the head in a start.", "[Ports001, 5.6]";
     J_K: "J_K" "J_(K i)" KG_M2 / KG_M2, "Inertia of all that the brakes stop, at the motor's shaft.", "[Ports001, 5.7]";

@@ -134,6 +134,7 @@ pub fn turning(pendulum: Option<Pendulum>, inertia: f64) -> Dynamics {
 /// What drives a crane that luffs: a moment, and a brake's beside the dry friction (N·m).
 pub const fn commands(moment: f64, brake: f64) -> Commands<1> {
     Commands {
+        shaft: 0.0,
         drives: [JointDrive { moment, brake }],
         hoist: HoistCommand::speed(0.0),
     }

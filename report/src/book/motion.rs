@@ -49,7 +49,16 @@ struct Manoeuvre {
     sample: String,
     curves: Vec<Figure>,
     events: Vec<Event>,
+    stop: Vec<Stop>,
     more_events: usize,
+}
+
+/// What a stop came to: found in the run, and in closed form.
+#[derive(Serialize)]
+struct Stop {
+    #[serde(flatten)]
+    quantity: Quantity,
+    values: [String; 2],
 }
 
 #[derive(Serialize)]
@@ -130,7 +139,9 @@ impl Motion {
             .map(|curve| curve.y)
             .chain(motion.envelope.iter().map(|row| row.symbol));
         let accounts = energy.rows.iter().map(|row| row.symbol);
-        for symbol in drawn.chain(accounts).chain([motion.time]) {
+        let stops = motion.manoeuvres.iter().flat_map(|manoeuvre| &manoeuvre.stop);
+        let stops = stops.map(|(symbol, _)| *symbol);
+        for symbol in drawn.chain(accounts).chain(stops).chain([motion.time]) {
             notation.meet(symbol);
         }
         let manoeuvre = |manoeuvre: &sheet::Manoeuvre| Manoeuvre {
@@ -145,6 +156,12 @@ impl Motion {
                 .collect(),
             events: (manoeuvre.events.iter())
                 .map(|&(at, id)| Event { at: time(at), id })
+                .collect(),
+            stop: (manoeuvre.stop.iter())
+                .map(|&(symbol, values)| Stop {
+                    quantity: symbol.into(),
+                    values: values.map(|value| numbers.result(symbol, value)),
+                })
                 .collect(),
             more_events: manoeuvre.more_events,
         };

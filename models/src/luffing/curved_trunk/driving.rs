@@ -4,6 +4,7 @@ use crate::component::stages::Found;
 use crate::drive::crank::{self, CrankRod};
 use crate::drive::line::{Drive, Reaction};
 use crate::drive::mount::{DriveMount, DrivenBar};
+use crate::drive::way::{DriveWay, TurnedLink};
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 use crate::luffing::curved_trunk::pins::TrunkPins;
@@ -18,6 +19,21 @@ pub fn bar<C: Calc>(position: &TrunkPosition<C>, trunk: &Trunk<C>, phi: &One<C>)
         length: trunk.b,
         foot: None,
     }
+}
+
+/// The drive's way by the boom's angle.
+pub fn way<C: Calc>(
+    mount: &DriveMount<C>,
+    rod: &Option<CrankRod<C>>,
+    crank: Option<&FourBar<C>>,
+    trunk: &Trunk<C>,
+) -> DriveWay<C> {
+    let link = TurnedLink {
+        length: trunk.b,
+        foot: None,
+        against: false,
+    };
+    DriveWay::new(link, mount, rod, crank)
 }
 
 /// # Errors

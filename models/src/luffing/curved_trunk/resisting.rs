@@ -1,13 +1,11 @@
 //! Boom and trunk as their drive feels them: where they are, and what their pins carry in a case.
 
 use crate::balance::residual::Residual;
-use crate::balance::symbols::PHI;
 use crate::component::scalar::Scalar;
 use crate::component::stages::Found;
-use crate::drive::line::{Drive, Mounted};
-use crate::drive::mount::DrivenBar;
+use crate::drive::line::Drive;
+use crate::drive::way::DriveWay;
 use crate::kernel::calc::Calc;
-use crate::kernel::group::One;
 use crate::luffing::balancing::Balancing;
 use crate::luffing::curved_trunk::balancing::energy;
 use crate::luffing::curved_trunk::contact::direction;
@@ -38,7 +36,7 @@ pub struct TrunkPlaces<C> {
     choice: TrunkChoice,
     weights: TrunkWeights<C>,
     balancing: Option<Balancing<C>>,
-    drive: Mounted<C>,
+    way: DriveWay<C>,
 }
 
 struct OfTrunk;
@@ -53,7 +51,7 @@ impl Placing for OfTrunk {
             choice: of.choice.clone(),
             weights: of.weights.map(&mut |_, x| f(x)),
             balancing: of.balancing.map(|balancing| balancing.map(f)),
-            drive: of.drive.map(f),
+            way: of.way.map(f),
         }
     }
 
@@ -68,18 +66,12 @@ impl Placing for OfTrunk {
             Some(balancing) => balancing.place(phi, || energy(&of.tail, &of.weights, phi, along))?,
             None => nothing,
         };
-        let bar = DrivenBar {
-            angle: One(&PHI, phi),
-            along: b,
-            length: trunk.b,
-            foot: None,
-        };
         Some(Placed {
             bars: [[nothing, line], [b, along], [b, along]],
             head,
             load: head.y,
             counterweight,
-            way: of.drive.way(&bar)?,
+            way: of.way.at(phi)?,
         })
     }
 
@@ -107,14 +99,14 @@ impl<C: Calc> TrunkPlaces<C> {
         choice: &TrunkChoice,
         weights: &TrunkWeights<C>,
         balancing: Option<&Balancing<C>>,
-        drive: &Mounted<C>,
+        way: &DriveWay<C>,
     ) -> TrunkPlaces<C> {
         TrunkPlaces {
             tail: *tail,
             choice: choice.clone(),
             weights: *weights,
             balancing: balancing.copied(),
-            drive: *drive,
+            way: *way,
         }
     }
 }

@@ -121,7 +121,7 @@ const WEIGHTS: &[Key] = keys! { s:
     G_B [or_mass], R_B >= 0, CHI_B [usually(0.0)], G_T [or_mass], R_T >= 0, CHI_T [usually(0.0)]
 };
 
-static DYNAMICS: &[Key] = &dynamics::<14>(&[
+static DYNAMICS: &[Key] = &dynamics::<15>(&[
     Key::quantity(&s::J_B, Sign::NotNegative),
     Key::quantity(&s::J_T, Sign::NotNegative),
 ]);
@@ -183,7 +183,8 @@ impl Described for CurvedTrunk {
         let curve = if arc.is_none() { Some(curve(tail, found)?) } else { None };
         let ((range, balance), driving) = begun.zip(driving)?;
         drive::scene::meets(v, &driving, None, [range.from, range.to], found);
-        drive::scene::fits(v, driving.gear.as_ref(), [moving.is_some(), v.has("Q")], found);
+        let moves = moving.as_ref().map(|_| &drive::scene::TURNED[..]);
+        drive::scene::fits(v, driving.gear.as_ref(), (moves, v.has("Q")), found);
         if let Some(moving) = &moving {
             brisk(v, moving, &range, found);
         }

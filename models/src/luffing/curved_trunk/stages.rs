@@ -11,8 +11,9 @@ use crate::component::stages::Found;
 use crate::component::whole::{How, Whole};
 use crate::drive::crank::{Cranked, cranked};
 use crate::drive::fragments::{driven, shaft};
-use crate::drive::line::{self, Drive, Mounted, Reaction};
+use crate::drive::line::{self, Drive, Reaction};
 use crate::drive::mount::DrivenBar;
+use crate::drive::way::DriveWay;
 use crate::kernel::group::One;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Fault;
@@ -33,7 +34,7 @@ use crate::luffing::curved_trunk::velocity::{TrunkSpeeds, TrunkTravel, pole};
 use crate::luffing::moving::balance_in_motion::BalanceInMotion;
 use crate::luffing::moving::built::HoistParts;
 use crate::luffing::moving::fragments::{
-    boom_rates, coordinate, plant, pulled, remembered, single_boom, surrounded, told,
+    boom_rates, coordinate, geared, plant, pulled, remembered, single_boom, surrounded, told,
 };
 use crate::luffing::moving::given::Fitted;
 use crate::luffing::moving::level::{CraneAt, Level};
@@ -104,16 +105,18 @@ composed! {
         ..shaft();
         analysed: Analysis = analysed(tail, choice, weights[!], balance[!]) => _, plain;
         criteria: Criteria<C> = criteria(balancing, tail, choice, weights[!], analysed);
-        mounted: Mounted<C> = Mounted::new(mount[!], rod, crank[?]) => _;
-        places: TrunkPlaces<C> = TrunkPlaces::new(tail, choice, weights[!], balancing[?], mounted) => _;
+        way: DriveWay<C> = driving::way(mount[!], rod, crank[?], trunk) => _;
+        places: TrunkPlaces<C> = TrunkPlaces::new(tail, choice, weights[!], balancing[?], way) => _;
         ..resisted(phi, drive, position, drive, residual[?]);
         ..strong();
         ..sheared();
         trunked: TrunkParts<C> = TrunkParts::new(tail, weights[!], inertias[!], choice) => _;
         hoist: HoistParts<C> = HoistParts::new(ramp, motor, give) => _;
         ..single_boom(Trunked, trunked);
+        ..geared(way);
+        built[constants]: Vec<Level<C>> = single::driven(parts, boom, geared) => _;
         ..told(phi, omega);
-        at: CraneAt<C> = stages::at(phi, omega, states[!], wound, past[!], commands, fitted) => _;
+        at: CraneAt<C> = stages::at(phi, omega, states[!], wound, past[!], commands, brake, second, fitted) => _;
         ..boom_rates(phi, Trunked);
         ..pulled(phi);
         acting: Acting<C> = single::acting(boom, built, told, at, phi);

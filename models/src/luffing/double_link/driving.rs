@@ -4,6 +4,7 @@ use crate::component::stages::Found;
 use crate::drive::crank::{self, CrankRod};
 use crate::drive::line::{Drive, Reaction};
 use crate::drive::mount::{DriveMount, DrivenBar};
+use crate::drive::way::{DriveWay, TurnedLink};
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 use crate::luffing::double_link::held::Held;
@@ -32,6 +33,26 @@ pub fn bar<C: Calc>(p: &Position<C>, l: &Lengths<C>, theta: &One<C>) -> DrivenBa
         length,
         foot: foot(l, p.driven),
     }
+}
+
+/// The drive's way by the driving link's angle.
+pub fn way<C: Calc>(
+    mount: &DriveMount<C>,
+    rod: &Option<CrankRod<C>>,
+    crank: Option<&FourBar<C>>,
+    l: &Lengths<C>,
+    choice: &Choice,
+) -> DriveWay<C> {
+    let length = match choice.driven {
+        Driven::Boom => l.x_1,
+        Driven::Rocker => l.x_3,
+    };
+    let link = TurnedLink {
+        length,
+        foot: foot(l, choice.driven),
+        against: false,
+    };
+    DriveWay::new(link, mount, rod, crank)
 }
 
 /// # Errors

@@ -22,7 +22,7 @@ use crate::parts::hydraulics::symbols as h;
 use crate::parts::{air, ground, hanging, hydraulics, motor, shaping, teeth, turntable, turntable_control};
 
 /// What given quantities of its own are for that no formula has.
-const OWN_USES: [Purpose; 12] = [
+const OWN_USES: [Purpose; 13] = [
     ("annulus", &[&d::D_R]),
     ("start", &[&m::L_R, &m::PHI_R, &turntable::CHI_R]),
     ("hoist", &[&m::V_H, &m::A_H]),
@@ -35,6 +35,7 @@ const OWN_USES: [Purpose; 12] = [
     ("stops", listed!(turntable: PSI_MIN, PSI_MAX)),
     ("control", SETTINGS),
     ("drum_friction", &[&m::M_F_H]),
+    ("shaft_brakes", &[&m::U_BR]),
 ];
 
 /// Of the oil, of the rope, of a load put down and of controlled drives, over a cycle of commands.
@@ -138,7 +139,7 @@ pub const OUTLINE: Outline = Outline {
         ],
         LIMITS,
     ),
-    uses: &joined::<Purpose, 12, 2, 14>(OWN_USES, USES),
+    uses: &joined::<Purpose, 13, 2, 15>(OWN_USES, USES),
     forces: &[
         &s::F_O1X,
         &s::F_O1Y,

@@ -3,12 +3,12 @@
 use crate::balance::residual::Residual;
 use crate::component::scalar::Scalar;
 use crate::component::stages::Found;
-use crate::drive::line::{Drive, Mounted};
+use crate::drive::line::Drive;
+use crate::drive::way::DriveWay;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 use crate::luffing::balancing::Balancing;
 use crate::luffing::double_link::balancing::place;
-use crate::luffing::double_link::driving::bar;
 use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::moving::symbols as m;
 use crate::luffing::double_link::parameters::{Driven, Weights};
@@ -37,7 +37,7 @@ pub struct LinkPlaces<C> {
     geometry: Geometry<C>,
     weights: Weights<C>,
     balancing: Option<Balancing<C>>,
-    drive: Mounted<C>,
+    way: DriveWay<C>,
 }
 
 struct OfLink;
@@ -51,7 +51,7 @@ impl Placing for OfLink {
             geometry: of.geometry.map(f),
             weights: of.weights.map(&mut |_, x| f(x)),
             balancing: of.balancing.map(|balancing| balancing.map(f)),
-            drive: of.drive.map(f),
+            way: of.way.map(f),
         }
     }
 
@@ -68,7 +68,7 @@ impl Placing for OfLink {
             head: p.a,
             load: p.a.y,
             counterweight,
-            way: of.drive.way(&bar(&p, l, &One(p.driven.coordinate(), theta)))?,
+            way: of.way.at(theta)?,
         })
     }
 
@@ -99,13 +99,13 @@ impl<C: Calc> LinkPlaces<C> {
         geometry: &Geometry<C>,
         weights: &Weights<C>,
         balancing: Option<&Balancing<C>>,
-        drive: &Mounted<C>,
+        way: &DriveWay<C>,
     ) -> LinkPlaces<C> {
         LinkPlaces {
             geometry: *geometry,
             weights: *weights,
             balancing: balancing.copied(),
-            drive: *drive,
+            way: *way,
         }
     }
 }

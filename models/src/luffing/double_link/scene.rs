@@ -120,7 +120,8 @@ impl LuffingScene {
             let most = [reach, weight / gravity];
             outlasts(v, moving, motion, most, found);
         }
-        drive::fits(v, driving.gear.as_ref(), [moving.is_some(), loaded], found);
+        let moves = moving.as_ref().map(|_| &drive::TURNED_LINE[..]);
+        drive::fits(v, driving.gear.as_ref(), (moves, loaded), found);
         let swings = moving.as_ref().is_some_and(|moving| moving.rope.is_some());
         let id = moving::symbols::PHI_MAX.id;
         if let Some(table) = v.table("limits").filter(|table| table.has(id) && !swings) {

@@ -4,6 +4,7 @@ use crate::component::stages::Found;
 use crate::drive::crank::{self, CrankRod};
 use crate::drive::line::{self, Drive, Reaction};
 use crate::drive::mount::{DriveMount, DrivenBar};
+use crate::drive::way::{DriveWay, TurnedLink};
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 use crate::luffing::ellipsograph::position::{Bars, GuidedChoice, GuidedPosition};
@@ -18,6 +19,21 @@ pub fn bar<C: Calc>(position: &GuidedPosition<C>, bars: &Bars<C>) -> DrivenBar<C
         length: bars.c,
         foot: None,
     }
+}
+
+/// The drive's way by the boom's angle.
+pub fn way<C: Calc>(
+    mount: &DriveMount<C>,
+    rod: &Option<CrankRod<C>>,
+    crank: Option<&FourBar<C>>,
+    bars: &Bars<C>,
+) -> DriveWay<C> {
+    let link = TurnedLink {
+        length: bars.c,
+        foot: None,
+        against: true,
+    };
+    DriveWay::new(link, mount, rod, crank)
 }
 
 /// # Errors

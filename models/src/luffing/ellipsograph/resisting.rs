@@ -3,10 +3,10 @@
 use crate::balance::residual::Residual;
 use crate::component::scalar::Scalar;
 use crate::component::stages::Found;
-use crate::drive::line::{Drive, Mounted};
+use crate::drive::line::Drive;
+use crate::drive::way::DriveWay;
 use crate::kernel::calc::Calc;
 use crate::luffing::balancing::Balancing;
-use crate::luffing::ellipsograph::driving::bar;
 use crate::luffing::ellipsograph::position::{Bars, GuidedPosition, axes};
 use crate::luffing::ellipsograph::statics::{GuidedWeights, WeightMoment};
 use crate::luffing::moving::bodies::Body;
@@ -32,7 +32,7 @@ pub struct GuidedPlaces<C> {
     bars: Bars<C>,
     weights: GuidedWeights<C>,
     balancing: Option<Balancing<C>>,
-    drive: Mounted<C>,
+    way: DriveWay<C>,
 }
 
 struct OfGuided;
@@ -48,7 +48,7 @@ impl Placing for OfGuided {
             bars: of.bars.map(&mut |_, x| f(x)),
             weights: of.weights.map(&mut |_, x| f(x)),
             balancing: of.balancing.map(|balancing| balancing.map(f)),
-            drive: of.drive.map(f),
+            way: of.way.map(f),
         }
     }
 
@@ -67,7 +67,7 @@ impl Placing for OfGuided {
             head: p.a,
             load: p.a.y,
             counterweight,
-            way: of.drive.way(&bar(&p, bars))?,
+            way: of.way.at(phi)?,
         })
     }
 
@@ -94,13 +94,13 @@ impl<C: Calc> GuidedPlaces<C> {
         bars: &Bars<C>,
         weights: &GuidedWeights<C>,
         balancing: Option<&Balancing<C>>,
-        drive: &Mounted<C>,
+        way: &DriveWay<C>,
     ) -> GuidedPlaces<C> {
         GuidedPlaces {
             bars: *bars,
             weights: *weights,
             balancing: balancing.copied(),
-            drive: *drive,
+            way: *way,
         }
     }
 }

@@ -88,7 +88,7 @@ const WEIGHTS: &[Key] = keys! { s:
     G_B [or_mass], R_B >= 0, CHI_B [usually(0.0)], G_L [or_mass, usually(0.0)], R_L [usually(0.0)]
 };
 
-static DYNAMICS: &[Key] = &dynamics::<14>(&[
+static DYNAMICS: &[Key] = &dynamics::<15>(&[
     Key::quantity(&s::J_B, Sign::NotNegative),
     Key::quantity(&s::J_L, Sign::NotNegative),
 ]);
@@ -146,7 +146,8 @@ impl Described for Ellipsograph {
         let begun = begun(v, "G_b and r_b", found);
         let ((range, balance), driving) = begun.zip(drive::scene::read(v, found))?;
         drive::scene::meets(v, &driving, None, [-range.to, -range.from], found);
-        drive::scene::fits(v, driving.gear.as_ref(), [moving.is_some(), v.has("Q")], found);
+        let moves = moving.as_ref().map(|_| &drive::scene::TURNED[..]);
+        drive::scene::fits(v, driving.gear.as_ref(), (moves, v.has("Q")), found);
         if let Some(moving) = &moving {
             brisk(v, moving, &range, found);
         }

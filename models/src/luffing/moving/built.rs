@@ -1,8 +1,11 @@
 //! The equations of a level from what is given: joints, hoist, cylinder, slewing.
 
+use std::sync::Arc;
+
 use crate::kernel::calc::Calc;
 use crate::luffing::moving::bodies::{Pendulum, Turntable};
 use crate::luffing::moving::dynamics::{Coordinate, Dynamics, Wind};
+use crate::luffing::moving::geared::Geared;
 use crate::luffing::moving::given::{Constants, Fitted};
 use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::hydraulic::{Crane, Hydraulic};
@@ -98,8 +101,8 @@ pub struct LevelParts<P: Calc> {
 }
 
 impl<P: Coordinate<P>> LevelParts<P> {
-    /// The equations, nothing being asked of them.
-    pub fn level(self, mut dynamics: Dynamics<P>) -> Level<P> {
+    /// The equations, nothing being asked of them; with a motor that turns with it, where no cylinder moves it.
+    pub fn level(self, mut dynamics: Dynamics<P>, geared: Option<&Arc<Geared<P>>>) -> Level<P> {
         let (fitted, constants) = (self.fitted, self.constants);
         let joint = |viscous, coulomb, stops| Joint {
             friction: Friction { viscous, coulomb },
@@ -124,6 +127,9 @@ impl<P: Coordinate<P>> LevelParts<P> {
             });
         }
         let Some(cylinder) = self.cylinder else {
+            if let Some(geared) = geared {
+                dynamics = dynamics.by_motor(geared.clone());
+            }
             return match crane(dynamics, luffing, slewing) {
                 Crane::Plane(motion) => Level::Free(motion),
                 Crane::Slewing(slewing) => Level::Slewing(slewing),

@@ -10,6 +10,7 @@ use crate::kernel::group::Group;
 use crate::kernel::number::short;
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::{Fault, Role};
+use crate::luffing::moving::brakes::{Braking, Delays};
 use crate::luffing::moving::control::holding::holding;
 use crate::luffing::moving::crane::REELED_IN;
 use crate::luffing::moving::given::{CraneStates, Inputs, L_R, S_Q, STATES, V_R, order};
@@ -26,6 +27,8 @@ use crate::parts::solver::{Count, Halt, MOST_IMPLICIT, MOST_STEPS};
 pub struct CarriedCrane<T> {
     pub(crate) ahead: Ahead,
     pub(super) count: Count,
+    /// Whether brakes are on the shaft of its motor.
+    pub(super) braked: bool,
     pub(super) of: PhantomData<fn() -> T>,
 }
 
@@ -34,6 +37,7 @@ impl<T> Clone for CarriedCrane<T> {
         CarriedCrane {
             ahead: self.ahead,
             count: self.count,
+            braked: self.braked,
             of: PhantomData,
         }
     }
@@ -165,8 +169,38 @@ pub(super) fn hold<T: Luffs>(model: &mut Standing) -> Result<(), Fault> {
     Ok(())
 }
 
+/// Command of the brakes on the motor's shaft, what they do, and their delays.
+fn brakes(given: &LuffingGiven) -> Option<(f64, Braking, Delays)> {
+    let (inputs, past) = given.sources.inputs.zip(given.sources.past)?;
+    let delays = Delays::new(&given.brake, &given.second, longest(given));
+    Some((inputs.braking, past.braking, delays))
+}
+
 impl<T: Luffs> CarriedCrane<T> {
+    /// Which brakes act on the motor's shaft is decided at a time (s): as commanded now, or also before.
+    fn brake(&self, model: &mut Standing, time: f64, before: bool) {
+        let Some((command, braking, delays)) = self.braked.then(|| brakes(&given::<T>(model))).flatten() else {
+            return;
+        };
+        let decided = match before {
+            true => Braking::before(command, &delays, time),
+            false => braking.decided(command, &delays, time),
+        };
+        if decided != braking {
+            let mut at = at::<T>(model);
+            at.past.braking = decided;
+            put::<T>(model, &at);
+        }
+    }
+
+    /// When the next brake falls on, in s, after a time.
+    fn falls(&self, model: &Standing, time: f64) -> Option<f64> {
+        let (_, braking, delays) = self.braked.then(|| brakes(&given::<T>(model)))??;
+        braking.next(&delays, time)
+    }
+
     fn decide(&mut self, model: &mut Standing) -> Result<bool, Fault> {
+        self.brake(model, model.time(), false);
         let (level, mut at) = T::in_motion(known::<T>(model)).map_err(|fault| *fault)?;
         let (before, mut ahead) = (at, self.ahead);
         let decided = level.run(&mut at, &mut ahead, None);
@@ -175,10 +209,9 @@ impl<T: Luffs> CarriedCrane<T> {
         put::<T>(model, &at);
         Ok(at.y != before.y)
     }
-}
 
-impl<T: Luffs> Carrier for CarriedCrane<T> {
-    fn advance(&mut self, model: &mut Standing, [from, to]: [f64; 2], ramps: &[Ramp]) -> Result<(), Fault> {
+    /// Moves on between two times (s), while no brake falls on.
+    fn piece(&mut self, model: &mut Standing, [from, to]: [f64; 2], ramps: &[Ramp]) -> Result<(), Fault> {
         let now = given::<T>(model);
         enough_rope(&now, to - from)?;
         // Commands of controllers are of no account from one sample to the next.
@@ -209,12 +242,52 @@ impl<T: Luffs> Carrier for CarriedCrane<T> {
         Ok(())
     }
 
+    /// The same from one brake to the next that falls on; what fails leaves it anywhere.
+    fn pieces(&mut self, model: &mut Standing, [from, to]: [f64; 2], ramps: &[Ramp]) -> Result<(), Fault> {
+        let mut time = from;
+        loop {
+            self.brake(model, time, false);
+            let end = self.falls(model, time).filter(|at| *at < to).unwrap_or(to);
+            self.piece(model, [time, end], ramps)?;
+            if end == to {
+                return Ok(());
+            }
+            time = end;
+            for ramp in ramps {
+                model
+                    .part_mut()
+                    .put(ramp.source, ramp.value + ramp.slope * (time - from));
+            }
+        }
+    }
+}
+
+impl<T: Luffs> Carrier for CarriedCrane<T> {
+    fn advance(&mut self, model: &mut Standing, times: [f64; 2], ramps: &[Ramp]) -> Result<(), Fault> {
+        if !self.braked {
+            return self.piece(model, times, ramps);
+        }
+        let (before, ahead) = (at::<T>(model), self.ahead);
+        self.pieces(model, times, ramps).inspect_err(|_| {
+            for ramp in ramps {
+                model.part_mut().put(ramp.source, ramp.value);
+            }
+            put::<T>(model, &before);
+            model.set_time(times[0]);
+            self.ahead = ahead;
+        })
+    }
+
+    fn next_event(&self, model: &Standing) -> Option<f64> {
+        self.falls(model, model.time())
+    }
+
     /// Passed forwards, at the speed of the working range.
     fn place(&mut self, model: &mut Standing, value: f64) -> Result<(), Fault> {
         model.check(0, value)?;
         let mut at = at::<T>(model);
         (at.y[0], at.y[1]) = (value, model.motion().speed);
-        (at.past.joints[0], at.past.grounded) = (Bar::Forward, false);
+        (at.past.joints[0], at.past.grounded, at.past.braking) = (Bar::Forward, false, Braking::LIFTED);
         put::<T>(model, &at);
         self.ahead.restart(&at.y);
         Ok(())
@@ -230,6 +303,7 @@ impl<T: Luffs> Carrier for CarriedCrane<T> {
             put::<T>(model, &at);
             self.ahead.restart(&at.y);
         }
+        self.brake(model, model.time(), true);
         hold::<T>(model)?;
         self.update(model)
     }

@@ -22,6 +22,8 @@ pub struct Commands<const J: usize, P = f64> {
     /// Of luffing, then of slewing; a positive moment raises the driven bar.
     pub drives: [JointDrive<P>; J],
     pub hoist: HoistCommand<P>,
+    /// Torque of the brakes that act on the shaft of luffing's motor, in N·m.
+    pub shaft: P,
 }
 
 impl<const J: usize> Commands<J> {
@@ -38,6 +40,7 @@ impl<const J: usize> Commands<J> {
                 speed: self.hoist.speed + slopes.hoist.speed * time,
                 drive: drive(&self.hoist.drive, &slopes.hoist.drive),
             },
+            shaft: self.shaft,
         }
     }
 }
@@ -248,7 +251,7 @@ where
     /// greatest that they can.
     fn held<C: Coordinate<P>>(&self, i: usize, at: &Snapshot<N, J, C>) -> [C; 3] {
         let hold = self.needs(i, at);
-        let [rising, falling] = self.drives(i, at.state, at.commands);
+        let [rising, falling] = self.drives(i, at.state, at.commands, at.r.shaft.as_ref());
         let holds = |drive| self.joints[i].over().holds(at.y[2 * i], drive);
         [hold, holds(&rising)[0], holds(&falling)[1]]
     }

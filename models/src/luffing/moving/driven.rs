@@ -110,7 +110,7 @@ where
             slopes,
         };
         let sound =
-            |Commands { drives, hoist }: Commands<J>| drives.iter().all(JointDrive::is_sound) && hoist.is_sound();
+            |Commands { drives, hoist, .. }: Commands<J>| drives.iter().all(JointDrive::is_sound) && hoist.is_sound();
         if ![0.0, duration].into_iter().all(|time| sound(commanded.at(time))) {
             return Err(Halt::Outside);
         }

@@ -8,6 +8,7 @@ use num_dual::Dual64;
 use crate::kernel::calc::{Calc, Over};
 use crate::kernel::record::Rec;
 use crate::luffing::moving::bodies::{Pendulum, Turntable};
+use crate::luffing::moving::geared::Geared;
 use crate::luffing::moving::reduced::{Asked, CoordinateNames, Reduced, Reduces};
 use crate::parts::air::AirDrag;
 use crate::parts::solver::Gradient;
@@ -43,6 +44,8 @@ pub struct Wind<P = f64> {
 pub struct Dynamics<P = f64> {
     mechanism: Arc<dyn Reduces<P>>,
     asked: Asked<P>,
+    /// The motor that turns with it.
+    geared: Option<Arc<Geared<P>>>,
     pendulum: Option<Pendulum<P>>,
     /// In m/s².
     gravity: P,
@@ -61,26 +64,30 @@ pub trait Coordinate<P = f64>: Over<P> {
 
 impl Coordinate for f64 {
     fn reduced(d: &Dynamics, theta: f64) -> Option<Reduced<f64>> {
-        d.latest.at(theta, || d.mechanism.reduced(theta, &d.asked))
+        d.latest.at(theta, || d.reduced(theta))
     }
 }
 
 impl Coordinate<Dual64> for Dual64 {
     fn reduced(d: &Dynamics<Dual64>, theta: Dual64) -> Option<Reduced<Dual64>> {
-        d.mechanism.reduced(theta, &d.asked)
+        d.reduced(theta)
     }
 }
 
 impl Coordinate<Rec> for Rec {
     fn reduced(d: &Dynamics<Rec>, theta: Rec) -> Option<Reduced<Rec>> {
-        d.mechanism.reduced(theta, &d.asked)
+        d.reduced(theta)
     }
 }
 
 /// The mechanism depends on the driven angle alone, so that one more derivative by it serves all states.
 impl<const N: usize> Coordinate for Gradient<N> {
     fn reduced(d: &Dynamics, theta: Gradient<N>) -> Option<Reduced<Gradient<N>>> {
-        let r = d.mechanism.with_slope(Dual64::new(theta.re, 1.0), &d.asked)?;
+        let at = Dual64::new(theta.re, 1.0);
+        let mut r = d.mechanism.with_slope(at, &d.asked)?;
+        if let Some(geared) = &d.geared {
+            r = r.with(geared.with_slope(at)?);
+        }
         let of = |x: Dual64| theta.chain(x);
         Some(Reduced {
             inertia: of(r.inertia),
@@ -91,11 +98,21 @@ impl<const N: usize> Coordinate for Gradient<N> {
             drive: [of(r.drive[0]), of(r.drive[1])],
             turn: r.turn.map(of),
             lead: r.lead.map(|lead| lead.map(of)),
+            shaft: r.shaft.map(|shaft| shaft.map(of)),
         })
     }
 }
 
 impl<P: Calc> Dynamics<P> {
+    /// What it is at a coordinate (rad).
+    fn reduced(&self, at: P) -> Option<Reduced<P>> {
+        let r = self.mechanism.reduced(at, &self.asked)?;
+        match &self.geared {
+            None => Some(r),
+            Some(geared) => Some(r.with(geared.turned(at)?)),
+        }
+    }
+
     /// Under gravity, in m/s².
     #[must_use]
     pub fn new(mechanism: Arc<dyn Reduces<P>>, pendulum: Option<Pendulum<P>>, gravity: P) -> Dynamics<P> {
@@ -105,6 +122,7 @@ impl<P: Calc> Dynamics<P> {
                 turntable: None,
                 drive: false,
             },
+            geared: None,
             pendulum,
             gravity,
             air: None,
@@ -154,6 +172,14 @@ impl<P: Calc> Dynamics<P> {
         self
     }
 
+    /// With a motor that turns with it.
+    #[must_use]
+    pub fn by_motor(mut self, geared: Arc<Geared<P>>) -> Dynamics<P> {
+        self.geared = Some(geared);
+        self.latest = Latest::default();
+        self
+    }
+
     /// On a turntable.
     #[must_use]
     pub fn with_slewing(mut self, turntable: Turntable<P>) -> Dynamics<P> {
@@ -182,6 +208,11 @@ impl<P: Calc> Dynamics<P> {
     /// Whether a rope drives it, which pulls and never pushes.
     pub(crate) fn is_pulled(&self) -> bool {
         self.mechanism.is_pulled()
+    }
+
+    /// Whether a motor turns with it.
+    pub(crate) fn is_geared(&self) -> bool {
+        self.geared.is_some()
     }
 
     /// What its coordinate is called by.

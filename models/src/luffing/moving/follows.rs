@@ -9,6 +9,7 @@ use crate::component::part::Runner;
 use crate::component::running::Running;
 use crate::component::standing::{Standing, VariablePlace};
 use crate::kernel::variable::{Name, Quantity, Role, TIME};
+use crate::luffing::moving::brakes::Braking;
 use crate::luffing::moving::carried::{at, put};
 use crate::luffing::moving::given::L_R;
 use crate::luffing::moving::hydraulic::{FIXED, Modes};
@@ -73,6 +74,7 @@ fn lively(luffing: &LuffingGiven, now: &CraneAt) -> Vec<CraneAt> {
                                 grounded,
                                 slack: None,
                                 blown: 0.0,
+                                braking: Braking::ON,
                             };
                             found.push(at);
                         }

@@ -53,12 +53,22 @@ macro_rules! single_boom {
             boom[constants]: Vec<
                 $crate::luffing::moving::reduced::Renewed<$crate::luffing::moving::single::Heavy<$kind, C>>
             > = $crate::luffing::moving::single::heavy(parts) => _;
-            built[constants]: Vec<$crate::luffing::moving::level::Level<C>> =
-                $crate::luffing::moving::single::built(parts, boom) => _;
         } $($to)* }
     };
 }
 pub(crate) use single_boom;
+
+/// The stage of a motor that turns with a mechanism, by the way of its drive.
+macro_rules! geared {
+    (($way:ident) $($to:tt)*) => {
+        $crate::component::fragments::composed! { @with {
+            geared[constants]: Vec<
+                $crate::luffing::moving::reduced::Renewed<$crate::luffing::moving::geared::Geared<C>>
+            > = $crate::luffing::moving::geared::geared($way[?], driver) => _;
+        } $($to)* }
+    };
+}
+pub(crate) use geared;
 
 /// Stages of what its controllers hold and of the equations under what is commanded.
 macro_rules! told {

@@ -5,6 +5,7 @@ use crate::kernel::group::{Group, group, quantities};
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::unit::ONE;
 use crate::kernel::variable::Quantity;
+use crate::luffing::moving::brakes::Braking;
 use crate::luffing::moving::crane::Commands;
 use crate::luffing::moving::hydraulic::{self, Modes};
 use crate::luffing::moving::symbols as s;
@@ -40,19 +41,24 @@ pub struct Inputs<P = f64> {
     pub wind: [P; 2],
     /// Parts of the cylinder's lines that are torn open, in [0, 1].
     pub torn: [P; 2],
+    /// Command of the brakes on the shaft of luffing's motor, in [0, 1].
+    pub braking: P,
+    /// Torque of those of them that act, in N·m: no input, but what follows from that.
+    pub shaft: P,
 }
 
 /// Their symbols.
-pub const INPUTS: [&Symbol; 13] =
-    *listed!(s: M_A, M_S, U_V, P_P, M_M_H, M_B_H, V_H, M_SL, M_B_SL, V_AIR, CHI_AIR, Y_B1, Y_B2);
+pub const INPUTS: [&Symbol; 14] =
+    *listed!(s: M_A, M_S, U_V, P_P, M_M_H, M_B_H, V_H, M_SL, M_B_SL, V_AIR, CHI_AIR, Y_B1, Y_B2, U_BR);
 
-impl<P: Copy> Inputs<P> {
+impl<P: Calc> Inputs<P> {
     /// Of a crane of J joints.
     #[must_use]
     pub fn of<const J: usize>(&self) -> Commands<J, P> {
         Commands {
             drives: std::array::from_fn(|i| self.drives[i]),
             hoist: self.hoist,
+            shaft: self.shaft,
         }
     }
 
@@ -81,6 +87,7 @@ impl<P: Copy> Inputs<P> {
             self.wind[1],
             self.torn[0],
             self.torn[1],
+            self.braking,
         ]
     }
 
@@ -99,6 +106,7 @@ impl<P: Copy> Inputs<P> {
             chi_air,
             y_b1,
             y_b2,
+            u_br,
         ]: [P; INPUTS.len()],
     ) -> Inputs<P> {
         let drive = |moment, brake| JointDrive { moment, brake };
@@ -112,6 +120,8 @@ impl<P: Copy> Inputs<P> {
             supply,
             wind: [v_air, chi_air],
             torn: [y_b1, y_b2],
+            braking: u_br,
+            shaft: P::constant(0.0),
         }
     }
 }
@@ -154,7 +164,7 @@ pub fn order(oil: bool, slews: bool) -> &'static [usize] {
 
 static PAST: Symbol = Symbol::new("past", "", [&ONE, &ONE], "A number of what happened before.", "derived");
 
-const PAST_NUMBERS: usize = 6;
+const PAST_NUMBERS: usize = 8;
 
 /// Which way a bar moves, as a number; one that is loose always is.
 fn way(bar: Bar) -> f64 {
@@ -180,7 +190,7 @@ fn hanging(modes: &Modes) -> f64 {
 
 fn numbers(modes: &Modes) -> [f64; PAST_NUMBERS] {
     let [luffing, slewing] = modes.joints.map(way);
-    let drum = modes.drum;
+    let (drum, [called, acting]) = (modes.drum, modes.braking.numbers());
     [
         luffing,
         slewing,
@@ -188,10 +198,12 @@ fn numbers(modes: &Modes) -> [f64; PAST_NUMBERS] {
         drum.command,
         hanging(modes),
         modes.blown,
+        called,
+        acting,
     ]
 }
 
-fn modes([luffing, slewing, drum, command, hanging, blown]: [f64; PAST_NUMBERS]) -> Modes {
+fn modes([luffing, slewing, drum, command, hanging, blown, called, acting]: [f64; PAST_NUMBERS]) -> Modes {
     let way = bar(drum);
     Modes {
         joints: [bar(luffing), bar(slewing)],
@@ -200,6 +212,7 @@ fn modes([luffing, slewing, drum, command, hanging, blown]: [f64; PAST_NUMBERS])
         grounded: hanging >= 2.0,
         slack: None,
         blown,
+        braking: Braking::of([called, acting]),
     }
 }
 
@@ -252,11 +265,12 @@ numbered!(
 );
 
 /// What belongs to a crane in motion and is no number of its equations: length of the load's rope at the start (m), end
-/// stops of slewing (rad), whether oil moves it.
+/// stops of slewing (rad), whether oil moves it, whether brakes are on the shaft of its motor.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Fitted {
     pub rope: Option<f64>,
     pub slewing: Option<[f64; 2]>,
     pub oil: bool,
+    pub braked: bool,
 }
 group!(Fitted);

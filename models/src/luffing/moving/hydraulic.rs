@@ -6,6 +6,7 @@
 
 use crate::drive::symbols::V_D;
 use crate::kernel::calc::{Calc, Over};
+use crate::luffing::moving::brakes::Braking;
 use crate::luffing::moving::crane::{Commands, CraneState, MOST_CHANGES, Snapshot};
 use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
 use crate::luffing::moving::motion::{self, MovingLinkage};
@@ -80,6 +81,8 @@ pub struct Modes {
     pub slack: Option<f64>,
     /// Energy that blows have taken so far, in J; what they gave counts negative.
     pub blown: f64,
+    /// Of the brakes on the shaft of luffing's motor.
+    pub braking: Braking,
 }
 
 /// A crane on its way, with its solver's state.
@@ -112,6 +115,7 @@ impl Modes {
         grounded: false,
         slack: None,
         blown: 0.0,
+        braking: Braking::LIFTED,
     };
 
     /// A crane of J joints in these states of its own.
@@ -315,6 +319,7 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
                 speed: C::of(self.hoist.speed),
                 drive: over(&self.hoist.drive),
             },
+            shaft: C::constant(0.0),
         }
     }
 

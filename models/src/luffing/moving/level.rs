@@ -11,6 +11,7 @@ use crate::luffing::moving::given::{Inputs, MOST_STATES};
 use crate::luffing::moving::hydraulic::{self, FIRST, FIXED, Hydraulic, MOST, Modes, PresentCrane};
 use crate::luffing::moving::motion::MovingLinkage;
 use crate::luffing::moving::powers::{Powers, oil_powers, powers_of};
+use crate::luffing::moving::reduced::MotorShaft;
 use crate::luffing::moving::shares::{Instant, rope_on_head};
 use crate::luffing::moving::space::{self, Slewing};
 use crate::parts::hanging::to_load;
@@ -154,7 +155,8 @@ where
                 Bar::Held => crane.friction_moment(0, state, commands, y)?,
                 _ => P::constant(0.0),
             };
-            Some(crane.shares(state, commands, y, together).drive)
+            let shaft = shaft(&crane.dynamics, y[0])?;
+            Some(crane.shares(state, commands, y, (together, shaft.as_ref())).drive)
         }
         MotionResult::Air | MotionResult::AirPower => {
             let r = &P::reduced(&crane.dynamics, y[0])?;
@@ -172,6 +174,14 @@ where
         }
         MotionResult::SlewingFriction => crane.friction_moment(1, state, commands, y),
         MotionResult::Friction | MotionResult::Cylinder => crane.friction_moment(0, state, commands, y),
+    }
+}
+
+/// The shaft of its motor at an angle (rad), where it has one; `None` where the linkage does not close.
+fn shaft<P: Coordinate<P>>(dynamics: &Dynamics<P>, theta: P) -> Option<Option<MotorShaft<P>>> {
+    match dynamics.is_geared() {
+        true => P::reduced(dynamics, theta).map(|r| r.shaft),
+        false => Some(None),
     }
 }
 
@@ -275,11 +285,13 @@ impl<P: Coordinate<P>> Level<P> {
             (pull, tension) = (Some(rope_on_head(along, direction)), Some(along));
         }
         let together = self.reaction(at, MotionResult::Friction)?;
+        let shaft = shaft(dynamics, y[0])?;
         let shares = either!(
             self,
-            crane => crane.shares(&at.past.crane(first(y)), &inputs.of(), first(y), together),
+            crane => crane.shares(&at.past.crane(first(y)), &inputs.of(), first(y), (together, shaft.as_ref())),
             system => system.shares(first(y), arm)
         );
+        let shares = shares.less(shaft.map(|shaft| shaft.lags(y[1], rates[1])));
         Some(Instant {
             omega: y[1],
             alpha: rates[1],

@@ -28,6 +28,8 @@ pub struct Fittings {
     pub anti_cavitation: bool,
     pub load_holding: bool,
     pub pump: bool,
+    /// On the shaft of luffing's motor.
+    pub braked: bool,
     /// Of luffing, slewing and hoist.
     pub controlled: [bool; 3],
 }
@@ -51,6 +53,7 @@ impl Fittings {
             anti_cavitation: sources.oil_parts.is_some_and(|parts| parts.anti_cavitation.is_some()),
             load_holding: sources.oil_parts.is_some_and(|parts| parts.load_holding.is_some()),
             pump: sources.oil_parts.is_some_and(|parts| parts.pump.is_some()),
+            braked: sources.fitted.braked,
             controlled: sources
                 .control
                 .map_or([false; 3], |control| control.0.map(|axis| axis.is_some())),
@@ -76,6 +79,7 @@ impl Fittings {
             (_, Some(9)) => self.air,
             (_, Some(10)) => self.air && self.slews,
             (_, Some(11 | 12)) => self.load_holding,
+            (_, Some(13)) => self.braked,
             _ => true,
         }
     }
@@ -139,7 +143,8 @@ impl Said {
         let [driving, rates] = self.bar;
         let own = self.remarks.iter().find(|(known, _)| *known == symbol);
         variable.remark = own.map(|(_, remark)| *remark).or(variable.remark);
-        variable.at_events = symbol == &s::V_H || (HELD.contains(&symbol) && variable.role != Role::Input);
+        variable.at_events =
+            [&s::V_H, &s::U_BR].contains(&symbol) || (HELD.contains(&symbol) && variable.role != Role::Input);
         if variable.role == Role::Indicator {
             return 3;
         }

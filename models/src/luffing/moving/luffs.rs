@@ -9,6 +9,7 @@ use crate::luffing::moving::given::{Constants, CraneStates, CylinderOil, Fitted,
 use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::hydraulic::Modes;
 use crate::luffing::moving::level::{CraneAt, Level};
+use crate::luffing::resistances::given::{CaseBrake, SecondBrake};
 use crate::parts::air::AirAround;
 use crate::parts::control::{Latched, SpeedControl};
 use crate::parts::ground::GroundBelow;
@@ -63,6 +64,7 @@ impl MotionSources {
             rope: None,
             slewing: None,
             oil: false,
+            braked: false,
         },
     };
 }
@@ -75,6 +77,8 @@ pub struct LuffingGiven {
     pub omega: One<f64>,
     pub load: Option<One<f64>>,
     pub range: Motion,
+    pub brake: Option<CaseBrake<f64>>,
+    pub second: Option<SecondBrake<f64>>,
     pub sources: MotionSources,
 }
 
@@ -136,6 +140,8 @@ macro_rules! luffs {
                     omega: given.$omega,
                     load: given.load,
                     range: given.choice.range,
+                    brake: given.brake,
+                    second: given.second,
                     sources: $crate::luffing::moving::luffs::MotionSources {
                         states: given.states,
                         inputs: given.inputs,

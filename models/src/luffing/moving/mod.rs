@@ -10,6 +10,7 @@
 //! | `control` | controllers of luffing, slewing and hoist |
 //! | `pulled` | a crane that a rope luffs, which may go slack |
 //! | `hydraulic` | the same moved by a cylinder |
+//! | `geared`, `brakes` | a motor whose shaft turns with the mechanism; brakes on it, which fall on after a delay |
 //! | `weighed` | the counterweight of a balance with its derivatives |
 //! | `level`, `shares`, `powers` | what the levels have in common; what turns the driving link; what gives and takes power |
 //! | `inertia_forces`, `balance_in_motion` | weight and inertia of one body; what a balance does to its boom |
@@ -23,6 +24,7 @@
 pub mod balance_in_motion;
 mod blown;
 pub mod bodies;
+pub mod brakes;
 pub mod built;
 pub(crate) mod carried;
 pub mod control;
@@ -31,6 +33,7 @@ mod driven;
 pub mod dynamics;
 pub mod follows;
 pub mod fragments;
+pub mod geared;
 pub mod given;
 mod grounded;
 pub mod hanging;

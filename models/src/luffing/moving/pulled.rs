@@ -7,6 +7,7 @@
 use crate::kernel::calc::{Calc, Over};
 use crate::luffing::moving::crane::{Commands, CraneState, Hangs, MovingCrane, Snapshot};
 use crate::luffing::moving::dynamics::Coordinate;
+use crate::luffing::moving::reduced::MotorShaft;
 use crate::luffing::moving::shares::Shares;
 use crate::parts::joint::{Bar, JointDrive};
 
@@ -16,21 +17,25 @@ where
 {
     /// What drives joint `i`: motor and brake, of a rope no more than it can pull.
     pub(crate) fn drive<C: Coordinate<P>>(&self, i: usize, at: &Snapshot<N, J, C>) -> JointDrive<C> {
-        let [rising, falling] = self.drives(i, at.state, at.commands);
+        let [rising, falling] = self.drives(i, at.state, at.commands, at.r.shaft.as_ref());
         match at.state.joints[i] {
             Bar::Forward => rising,
             _ => falling,
         }
     }
 
-    /// The same against one direction and against the other.
+    /// The same against one direction and against the other; brakes on the shaft of a motor act by its ratio.
     pub(crate) fn drives<C: Calc>(
         &self,
         i: usize,
         state: &CraneState<N, J>,
         commands: &Commands<J, C>,
+        shaft: Option<&MotorShaft<C>>,
     ) -> [JointDrive<C>; 2] {
-        let drive = commands.drives[i];
+        let mut drive = commands.drives[i];
+        if let (0, Some(shaft)) = (i, shaft) {
+            drive.brake += shaft.braked(commands.shaft);
+        }
         if i == 0 && self.dynamics.is_pulled() {
             pulling(drive, state.slack.is_some())
         } else {
@@ -44,9 +49,9 @@ where
         state: &CraneState<N, J>,
         commands: &Commands<J, C>,
         y: &[C; N],
-        together: C,
+        (together, shaft): (C, Option<&MotorShaft<C>>),
     ) -> Shares<C> {
-        let [rising, falling] = self.drives(0, state, commands);
+        let [rising, falling] = self.drives(0, state, commands, shaft);
         let more = falling.less_than_asked(&commands.drives[0]);
         let resistance = more.map_or(together, |more| together - more);
         let brake = match state.joints[0] {

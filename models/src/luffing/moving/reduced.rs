@@ -30,6 +30,53 @@ pub struct Reduced<C> {
     /// Rope that one radian of the angle adds between head and load (m), and its change by the angle, where the mechanism
     /// leads the load's rope away from the head; it does not slew then.
     pub lead: Option<[C; 2]>,
+    /// Of the motor, where its inertia is a part of the above.
+    pub shaft: Option<MotorShaft<C>>,
+}
+
+/// The shaft of a motor at one angle of the driving link: its turn for one radian of that, its inertia there (kg·m²), and how
+/// that changes with the angle.
+#[derive(Clone, Copy, Debug)]
+pub struct MotorShaft<C> {
+    pub ratio: C,
+    pub inertia: C,
+    pub slope: C,
+}
+
+impl<C: Calc> MotorShaft<C> {
+    /// ψ′ = s′ / r, I_M = J_M ψ′², I_M′ = 2 J_M ψ′ ψ″, of the drive's travel for one radian and its change (m), on an arm r (m).
+    /// [Lagrange]
+    pub fn new([travel, bend]: [C; 2], inertia: C, arm: C) -> MotorShaft<C> {
+        let ratio = (travel / arm).def(&s::DPSI_M);
+        let change = (bend / arm).def(&s::DDPSI_M);
+        MotorShaft {
+            ratio,
+            inertia: (inertia * ratio.square()).def(&s::I_M),
+            slope: (C::constant(2.0) * inertia * ratio * change).def(&s::DI_M),
+        }
+    }
+
+    /// Over another scalar.
+    pub fn map<D>(self, f: impl Fn(C) -> D) -> MotorShaft<D> {
+        MotorShaft {
+            ratio: f(self.ratio),
+            inertia: f(self.inertia),
+            slope: f(self.slope),
+        }
+    }
+
+    /// Moment at the driving link of brakes on it (N·m), |ψ′| T. [virtual work]
+    pub fn braked(&self, torque: C) -> C {
+        match torque.value() {
+            0.0 => torque,
+            _ => (self.ratio.abs() * torque).def(&s::M_BM),
+        }
+    }
+
+    /// Moment of its inertia on the driving link (N·m), which turns at a rate (rad/s) with an acceleration (rad/s²).
+    pub fn lags(&self, omega: C, alpha: C) -> C {
+        (-(self.inertia * alpha + C::constant(0.5) * self.slope * omega.square())).def(&s::M_IM)
+    }
 }
 
 impl<C: Calc> Reduced<C> {
@@ -52,6 +99,17 @@ impl<C: Calc> Reduced<C> {
 }
 
 impl<C: Calc> Reduced<C> {
+    /// With the shaft of a motor.
+    #[must_use]
+    pub fn with(self, shaft: MotorShaft<C>) -> Reduced<C> {
+        Reduced {
+            inertia: (self.inertia + shaft.inertia).def(&s::I_ALL),
+            slope: (self.slope + shaft.slope).def(&s::DI_ALL),
+            shaft: Some(shaft),
+            ..self
+        }
+    }
+
     /// The sum over N bodies, under gravity in m/s².
     #[inline]
     pub(crate) fn of<P: Calc, const N: usize>(
@@ -91,6 +149,7 @@ impl<C: Calc> Reduced<C> {
             drive: moves.drive,
             turn: moves.turn,
             lead: moves.lead,
+            shaft: None,
         }
     }
 }

@@ -11,6 +11,7 @@ use crate::luffing::moving::given::{Constants, CylinderOil, Inputs};
 use crate::luffing::moving::hoisting::{HoistKind, LoadRope, hoisting, load_rope, load_taken, surround};
 use crate::luffing::moving::oil_scene::{oil_drive, straight_beside_oil};
 use crate::luffing::moving::symbols as s;
+use crate::luffing::resistances::train::{BRAKE, MOTOR};
 use crate::parts::air::AIR;
 use crate::parts::control::reading::TABLE;
 use crate::parts::ground::GROUND;
@@ -25,7 +26,7 @@ use crate::parts::turntable_control;
 /// Keys of `[luffing.dynamics]` beside the inertias of a mechanism's bodies.
 const DYNAMICS: &[Key] = keys! { s:
     C_V >= 0 [optional], M_F >= 0 [optional], G > 0 [optional], STEP > 0 [optional],
-    M_A [over_time, optional], M_S >= 0 [over_time, optional], T_S > 0 [optional], V_H [in_steps, optional], A_H > 0 [optional], L_R > 0 [optional], PHI_R [optional]
+    M_A [over_time, optional], M_S >= 0 [over_time, optional], T_S > 0 [optional], V_H [in_steps, optional], A_H > 0 [optional], L_R > 0 [optional], PHI_R [optional], U_BR [in_steps, optional]
 };
 
 /// Keys of `[luffing.dynamics]`, those of the bodies first.
@@ -94,6 +95,10 @@ pub struct Moving {
     pub slewing: Option<SlewingStart>,
     /// Of drives that follow a speed, or go to a place.
     pub controllers: Option<Controllers>,
+    /// Whether the shaft of a motor turns with it.
+    pub geared: bool,
+    /// Whether brakes are on that.
+    pub braked: bool,
     /// In which drives come up to their speed in the book's manoeuvres, in s.
     pub ramp: f64,
 }
@@ -114,7 +119,12 @@ impl Moving {
     /// Ids of what the model takes for granted of load, rope, hoist and controllers; `fixed` where there is no rope.
     pub fn taken(&self, fixed: &'static str) -> impl Iterator<Item = &'static str> {
         let controls = self.controllers.iter().flat_map(Controllers::taken);
-        load_taken(self.rope.as_ref(), fixed).chain(controls)
+        let shaft = [
+            self.geared.then_some("motor_shaft"),
+            self.braked.then_some("shaft_brakes"),
+        ];
+        let shaft = shaft.into_iter().flatten();
+        load_taken(self.rope.as_ref(), fixed).chain(shaft).chain(controls)
     }
 
     /// With its load fixed to the head.
@@ -164,6 +174,10 @@ impl Moving {
         let controllers = Controllers::read([Some([v, table]), v.table("slewing").map(|table| [table; 2]), hoist]);
         let controllers = controllers.map_err(|refused| found.push(refused)).ok()?;
         found.extend(no_motor(hoisting, hoist.is_some()));
+        let on_shaft = |part: &Key| v.table("cases").is_some_and(|cases| cases.has(part.name));
+        let geared = v.has("drive") && oil.is_none() && on_shaft(&MOTOR);
+        let braked = geared && on_shaft(&BRAKE);
+        found.extend(no_brake(table, braked));
         let mut strongest = inputs(v, [table, hoisting], Values::greatest);
         if let Some(controllers) = &controllers {
             controllers.limit(&mut strongest);
@@ -187,6 +201,8 @@ impl Moving {
             strongest,
             controllers,
             rope,
+            geared,
+            braked,
         })
     }
 }
@@ -211,6 +227,8 @@ fn inputs(v: &Values, [dynamics, hoisting]: [&Values; 2], of: fn(&Values, &str) 
         valve: number(oil, &s::U_V),
         supply: number(oil, &s::P_P),
         torn: [&s::Y_B1, &s::Y_B2].map(|symbol| number(oil, symbol)),
+        braking: number(Some(dynamics), &s::U_BR),
+        shaft: 0.0,
         wind: [&s::V_AIR, &s::CHI_AIR].map(|symbol| number(v.table(AIR.name), symbol)),
     }
 }
@@ -365,6 +383,16 @@ fn no_motor(hoisting: &Values, motor: bool) -> Option<Diagnostic> {
         .table(TABLE)
         .map(|_| hoisting.refuse(TABLE, what, "nothing to control", help));
     refused.filter(|_| !motor)
+}
+
+/// A command of brakes on a shaft that has none.
+fn no_brake(dynamics: &Values, braked: bool) -> Option<Diagnostic> {
+    let what = "a command of brakes on the shaft of a motor that has none";
+    let help = "add [cases.motor] and [cases.brake] to a crane with a drive, or remove it";
+    let refused = dynamics
+        .has(s::U_BR.id)
+        .then(|| dynamics.refuse(s::U_BR.id, what, "no brake", help));
+    refused.filter(|_| !braked)
 }
 
 /// Names of symbols in a sentence.

@@ -57,6 +57,17 @@ impl<C: Calc> Shares<C> {
         shares.named()
     }
 
+    /// What the line of the drive carries where a motor lags behind by its inertia, with a moment on the driving link (N·m).
+    pub fn less(self, lag: Option<C>) -> Shares<C> {
+        match lag {
+            Some(lag) => Shares {
+                drive: self.drive + lag,
+                ..self
+            },
+            None => self,
+        }
+    }
+
     /// For the book.
     pub fn named(self) -> Shares<C> {
         Shares {

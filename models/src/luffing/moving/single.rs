@@ -17,6 +17,7 @@ use crate::kernel::variable::Fault;
 use crate::luffing::moving::balance_in_motion::BalanceInMotion;
 use crate::luffing::moving::built::{HoistParts, LevelParts};
 use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
+use crate::luffing::moving::geared::Geared;
 use crate::luffing::moving::given::{Constants, Fitted};
 use crate::luffing::moving::inertia_forces::weight_and_inertia;
 use crate::luffing::moving::level::{CraneAt, Level};
@@ -224,14 +225,14 @@ where
         Heavy::new(&self.own, &self.balance, fixed, gravity).map_err(|fault| Fault::outside(fault.to_string()))
     }
 
-    fn level(&self, heavy: &Arc<Heavy<B, P>>) -> Level<P> {
+    fn level(&self, heavy: &Arc<Heavy<B, P>>, geared: Option<&Arc<Geared<P>>>) -> Level<P> {
         let gravity = self.rest.constants.g;
         let pendulum = self.rest.fitted.rope.and_then(|rope| {
             let load = (self.load / gravity).def(&s::MASS_Q);
             self.hoist.pendulum(load, Some(rope))
         });
         let dynamics = Dynamics::new(heavy.clone(), pendulum, gravity);
-        self.rest.clone().level(dynamics)
+        self.rest.clone().level(dynamics, geared)
     }
 }
 
@@ -240,7 +241,7 @@ struct SingleInMotion<B>(PhantomData<B>);
 
 type Making<B, P> = fn(&SingleParts<B, P>) -> Result<Heavy<B, P>, Fault>;
 type ActingOf<B, P> = fn(&Level<P>, &Heavy<B, P>, &CraneAt<P>) -> Option<Acting<P>>;
-type Levelling<B, P> = fn(&SingleParts<B, P>, &Arc<Heavy<B, P>>) -> Level<P>;
+type Levelling<B, P> = fn(&SingleParts<B, P>, &Arc<Heavy<B, P>>, Option<&Arc<Geared<P>>>) -> Level<P>;
 
 /// What the equations of motion have of it, over a scalar.
 pub struct SingleEquations<B: SingleBoom, P: Calc> {
@@ -326,8 +327,19 @@ pub fn built<B: SingleBoom, C: Scalar>(
     heavy: &[Renewed<Heavy<B, C>>],
     room: &mut Vec<Level<C>>,
 ) {
+    driven(parts, heavy, &[], room);
+}
+
+/// The same with a motor that turns with it, where there is one.
+pub fn driven<B: SingleBoom, C: Scalar>(
+    parts: &[SingleParts<B, C>],
+    heavy: &[Renewed<Heavy<B, C>>],
+    geared: &[Renewed<Geared<C>>],
+    room: &mut Vec<Level<C>>,
+) {
+    let geared = geared.first().map(Renewed::now);
     room.clear();
-    room.push((C::own::<SingleInMotion<B>>().level)(&parts[0], heavy[0].now()));
+    room.push((C::own::<SingleInMotion<B>>().level)(&parts[0], heavy[0].now(), geared));
 }
 
 /// What acts on it, under present inputs.

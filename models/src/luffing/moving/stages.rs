@@ -14,6 +14,7 @@ use crate::luffing::moving::given::{CraneStates, CylinderOil, Fitted, Inputs, MO
 use crate::luffing::moving::hydraulic::{Hydraulic, MOST, Modes};
 use crate::luffing::moving::level::{CraneAt, Level, MOST_INDICATORS, MotionResult, seen};
 use crate::luffing::moving::symbols as s;
+use crate::luffing::resistances::given::{CaseBrake, SecondBrake};
 use crate::parts::air::AirAround;
 use crate::parts::ground::GroundBelow;
 use crate::parts::hydraulics::cylinder::{Flows, PART_MARGINS};
@@ -65,6 +66,7 @@ pub fn present<'a, C>(built: &'a [Level<C>], told: &'a [Level<C>]) -> &'a Level<
 }
 
 /// The crane as it is.
+#[expect(clippy::too_many_arguments, reason = "all that it is")]
 pub fn at<C: Calc>(
     theta: &One<C>,
     omega: &One<C>,
@@ -72,6 +74,8 @@ pub fn at<C: Calc>(
     wound: &Option<One<C>>,
     past: &Modes,
     inputs: &Inputs<C>,
+    brake: &Option<CaseBrake<C>>,
+    second: &Option<SecondBrake<C>>,
     fitted: &Fitted,
 ) -> CraneAt<C> {
     let mut y = [C::constant(0.0); MOST_STATES];
@@ -83,11 +87,11 @@ pub fn at<C: Calc>(
     for (y, place) in y[2..].iter_mut().zip(order(fitted.oil, fitted.slewing.is_some())) {
         *y = states[*place];
     }
-    CraneAt {
-        past: *past,
-        inputs: *inputs,
-        y,
+    let mut inputs = *inputs;
+    if fitted.braked {
+        inputs.shaft = past.braking.torque(brake, second);
     }
+    CraneAt { past: *past, inputs, y }
 }
 
 /// The same of a crane that a rope luffs.

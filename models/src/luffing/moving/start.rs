@@ -193,6 +193,7 @@ fn sources(moving: &Moving) -> MotionSources {
             rope: rope.map(|rope| rope.length),
             slewing: slewing.map(|turn| turn.joint.stops),
             oil: oil.is_some(),
+            braked: moving.braked,
         },
     }
 }
@@ -241,6 +242,7 @@ pub fn starting<T: Luffs>(
         let mut own = CarriedCrane::<T> {
             ahead: level.ahead(&now.y),
             count: Count::default(),
+            braked: moving.braked,
             of: PhantomData,
         };
         put::<T>(model, &now);

@@ -1,7 +1,8 @@
 //! Quantities of any luffing mechanism in motion.
 
 pub use crate::kernel::gravity::G;
-use crate::kernel::symbol::{Symbol, symbols};
+use crate::kernel::symbol::{Range, Symbol, symbols};
+pub use crate::luffing::resistances::symbols::{DDS_S, DS_S};
 pub use crate::parts::air::{
     A_AIR_X, A_AIR_Y, A_AIR_Z, CHI_AIR, DELTA_AIR, F_AIR, KAPPA_AIR, P_AIR, U_AIR, U_AIR_X, U_AIR_Y, U_AIR_Z, V_AIR,
     W_AIR,
@@ -44,6 +45,7 @@ symbols! {
     P_P: "p_P" "p_P" PA / MPA [not_negative], "Pressure of the pump above the tank's.", "input";
     M_A: "M_A" "M_A" N_M / KN_M, "Moment of the drive on the driving link; positive turns it counter-clockwise.", "input";
     M_S: "M_S" "M_S" N_M / KN_M [not_negative], "Moment of the brake, added to the dry friction.", "input";
+    U_BR: "u_br" "u_\"br\"" ONE / ONE [within(Range::new(0.0, 1.0))], "Command of the brakes on the motor's shaft: from one half on they are called, and each acts after its delay; below, all are lifted at once.", "input";
     T_S: "t_s" "t_s" S / S [positive], "Time in which drives come up to their speed, and stop, in the manoeuvres of the book.", "input";
     V_H: "v_h" "v_h" M_PER_S / M_PER_S, "Speed of the hoist rope at the head as commanded; positive lowers the load.", "input";
     A_H: "a_h" "a_h" M_PER_S2 / M_PER_S2 [positive], "Acceleration with which the hoist comes up to its command; without it a change of the command is a blow.", "input";
@@ -90,6 +92,14 @@ symbols! {
     I_R: "I_r" "I" KG_M2 / T_M2, "Inertia of all bars and the counterweight, reduced to the driving link.", "Lagrange";
     DI_R: "dI_r" "I'" KG_M2 / T_M2, "Change of the reduced inertia for one radian of the driving link.", "Lagrange";
     M_W: "M_W" "M_W" N_M / KN_M, "Moment of the weights of bars and counterweight about the foot of the driving link; positive lowers it.", "virtual work";
+    DPSI_M: "dpsi_M" "psi'_M" ONE / ONE, "Turn of the motor's shaft for one radian of the driving link.", "derived";
+    DDPSI_M: "ddpsi_M" "psi''_M" ONE / ONE, "Change of that for one radian of the driving link.", "derived";
+    I_M: "I_M" "I_M" KG_M2 / T_M2, "Inertia of the motor's shaft, reduced to the driving link.", "Lagrange";
+    DI_M: "dI_M" "I'_M" KG_M2 / T_M2, "Change of the motor's reduced inertia for one radian of the driving link.", "Lagrange";
+    I_ALL: "I_all" "I_Sigma" KG_M2 / T_M2, "Inertia of all bars, the counterweight and the motor's shaft, reduced to the driving link.", "Lagrange";
+    DI_ALL: "dI_all" "I'_Sigma" KG_M2 / T_M2, "Change of that for one radian of the driving link.", "Lagrange";
+    M_BM: "M_bM" "M_(b M)" N_M / KN_M, "Moment of the brakes on the motor's shaft, at the driving link.", "virtual work";
+    M_IM: "M_iM" "M_(i M)" N_M / KN_M, "Moment of the motor's inertia on the driving link.", "Lagrange";
     M_NET: "M_net" "M" N_M / KN_M, "Moment that accelerates the driving link, the load on its rope left aside.", "Lagrange";
     MASS_Q: "mass_Q" "m_Q" KG / T, "Mass of the load: weight over g.", "derived";
     DDA_X: "ddA.x" "x''_A" M / M, "Change of the forward travel of A for one radian of the driving link.", "dual numbers";
@@ -148,6 +158,8 @@ symbols! {
     E_1Y: "e_1.y" "e_(1 y)" ONE / ONE, "Direction in which the balance's rod or rope pulls the boom, upward.", "derived";
 
     // A run.
+    T_BS: "t_bs" "t_b" S / S, "Time from the call of the brakes on the motor's shaft to rest, in the emergency stop.", "equations of motion";
+    DELTA_BS: "delta_bs" "delta_b" RAD / DEG, "Turn of the driving link in that time.", "equations of motion";
     T: "t" "t" S / S, "Time from the start of the run.", "derived";
     P_MAX: "p_max" "p_\"max\"" PA / MPA, "Greatest pressure in ports and chambers during the run.", "equations of motion";
     P_MIN: "p_min" "p_\"min\"" PA / MPA, "Least pressure in ports and chambers during the run.", "equations of motion";

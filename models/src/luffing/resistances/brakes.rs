@@ -9,6 +9,7 @@ use crate::luffing::resistances::moments::Resisted;
 use crate::luffing::resistances::motor::Motored;
 use crate::luffing::resistances::sums::Sums;
 use crate::luffing::resistances::symbols as s;
+use crate::parts::braking::LastBrake;
 
 /// What the brakes must hold in a case. Torques in N·m.
 #[derive(Clone, Copy, Debug)]
@@ -100,19 +101,15 @@ impl<C: Calc> Stopped<C> {
             };
         }
         let inertia = motor.inertia(sums, motor.eta).def(&s::J_K);
-        let (mut time, mut turned, mut torque) = (zero, zero, motored.against);
-        let mut speed = (C::constant(TAU) * motored.n).abs();
-        let behind = second.map(|second| (second.torque, second.delay));
-        for (more, delay) in std::iter::once((brake.torque, brake.delay)).chain(behind) {
-            let (span, slows) = (delay - time, torque / inertia);
-            if slows.value() * span.value() >= speed.value() {
-                break;
-            }
-            turned += speed * span - half * slows * span.square();
-            speed -= slows * span;
-            time = delay;
-            torque += more;
-        }
+        let behind = second.map(|second| [second.torque, second.delay]);
+        let brakes = std::iter::once([brake.torque, brake.delay]).chain(behind);
+        let speed = (C::constant(TAU) * motored.n).abs();
+        let LastBrake {
+            time,
+            turned,
+            speed,
+            torque,
+        } = LastBrake::new(inertia, motored.against, speed, brakes);
         let (turned, speed) = (turned.def(&s::PSI_B), speed.def(&s::OMEGA_B));
         let slows = (torque / inertia).def(&s::ALPHA_B);
         let head = ((sums.head.x / sums.way[0]).abs() * motor.arm() * slows).def(&s::A_STOP);

@@ -61,7 +61,7 @@ results! { each Motored as m => {
     U_M: m.used;
     P_C: m.both;
     T_0: m.against;
-    J_T: m.inertia;
+    J_START: m.inertia;
     T_START: m.time;
     A_START: m.quickens;
 } }
@@ -107,7 +107,7 @@ impl<C: Calc> Motored<C> {
         let steady = (resisted.inertia - rubbed.sum) / way;
         let against = motor.torque(steady, case.v);
         let against = if case.v.value() < 0.0 { -against } else { against }.def(&s::T_0);
-        let inertia = motor.inertia(sums, C::constant(1.0) / motor.eta).def(&s::J_T);
+        let inertia = motor.inertia(sums, C::constant(1.0) / motor.eta).def(&s::J_START);
         let spare = motor.k_a * motor.rated() - against;
         let time = if spare.value() > 0.0 {
             (inertia * turning.abs() / spare).def(&s::T_START)

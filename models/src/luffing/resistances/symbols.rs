@@ -6,7 +6,7 @@ use std::f64::consts::{FRAC_PI_3, FRAC_PI_6};
 
 use crate::kernel::symbol::{Range, symbols};
 pub use crate::parts::motor::{
-    A_START, A_START_MAX, A_STOP, A_STOP_MAX, J_K, J_M, J_T, K_A, K_B, LAMBDA_M, N_MOT, N_N, N_S, OMEGA_B, P_M,
+    A_START, A_START_MAX, A_STOP, A_STOP_MAX, J_K, J_M, J_START, K_A, K_B, LAMBDA_M, N_MOT, N_N, N_S, OMEGA_B, P_M,
     P_M_MAX, P_N, PSI_B, T_0, T_B, T_START, T_START_MAX, T_STOP, T_STOP_MAX, TAU_B, U_M, U_M_MAX,
 };
 

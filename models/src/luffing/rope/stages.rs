@@ -92,8 +92,9 @@ composed! {
         roped: RopedParts<C> = RopedParts::new(rig, compensation, weights[!], inertia[!], choice) => _;
         hoist: HoistParts<C> = HoistParts::by_speed(ramp, give) => _;
         ..single_boom(Roped, roped);
+        built[constants]: Vec<Level<C>> = single::built(parts, boom) => _;
         ..told(phi, omega);
-        still: CraneAt<C> = stages::at(phi, omega, states[!], wound, past[!], commands, fitted) => _;
+        still: CraneAt<C> = stages::at(phi, omega, states[!], wound, past[!], commands, brake, second, fitted) => _;
         at: CraneAt<C> = stages::hanging(still, slack[!]) => _;
         ..boom_rates(phi, Roped);
         resisting: C = stages::resisting(built, told, at, phi) => M_R;

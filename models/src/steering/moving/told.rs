@@ -299,6 +299,7 @@ pub fn motion(this: &Steering, moving: &MovingGroups<f64>) -> Option<Moved> {
             curves: ids.zip(&drawn).filter_map(curve).collect(),
             seen: found.series.frames(&model, &series::seen(&model)),
             events: Vec::new(),
+            stop: Vec::new(),
             more_events: 0,
             energy: Energy::default(),
         }],

@@ -32,7 +32,7 @@ results! { each TurningMotor as m => {
     P_CCW: m.ways[0];
     P_CW: m.ways[1];
     P_LR: m.both;
-    J_T: m.inertia;
+    J_START: m.inertia;
     T_START: m.time;
     A_START: m.quickens;
     M_J: m.moment;
@@ -53,7 +53,7 @@ impl<C: Calc> TurningMotor<C> {
         let power = (against * turning).def(&s::P_M);
         let way = |outer: C| drive.torque(turned.inner(false) + outer) * turning;
         let ways = [way(-turned.outer).def(&s::P_CCW), way(turned.outer).def(&s::P_CW)];
-        let inertia = (drive.j + turned.inertia / (drive.i.square() * drive.z * drive.eta)).def(&s::J_T);
+        let inertia = (drive.j + turned.inertia / (drive.i.square() * drive.z * drive.eta)).def(&s::J_START);
         let spare = drive.k_a * drive.rated() - against;
         let time = if spare.value() > 0.0 {
             (inertia * turning / spare).def(&s::T_START)

@@ -5,7 +5,7 @@ pub use crate::kernel::gravity::G;
 use crate::kernel::symbol::symbols;
 pub use crate::parts::hanging::L_R;
 pub use crate::parts::motor::{
-    A_START, A_START_MAX, A_STOP, A_STOP_MAX, J_K, J_M, J_T, K_A, K_B, LAMBDA_M, N_MOT, N_N, N_S, OMEGA_B, P_M,
+    A_START, A_START_MAX, A_STOP, A_STOP_MAX, J_K, J_M, J_START, K_A, K_B, LAMBDA_M, N_MOT, N_N, N_S, OMEGA_B, P_M,
     P_M_MAX, P_N, PSI_B, T_0, T_B, T_START, T_START_MAX, T_STOP, T_STOP_MAX, TAU_B, U_M, U_M_MAX,
 };
 pub use crate::parts::teeth::{ALPHA_T, E_T, K_F, M_T, NU_T, RHO_C, Y_F};

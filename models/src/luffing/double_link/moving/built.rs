@@ -17,6 +17,7 @@ use crate::luffing::double_link::pose::Posing;
 use crate::luffing::moving::bodies::Body;
 use crate::luffing::moving::built::{HoistParts, LevelParts};
 use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
+use crate::luffing::moving::geared::Geared;
 use crate::luffing::moving::given::{Constants, CylinderOil, Fitted};
 use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::level::Level;
@@ -76,8 +77,8 @@ where
         })
     }
 
-    /// The equations of its level, nothing being asked of it.
-    pub fn level(&self, linkage: &Arc<HeavyLinkage<P>>) -> Level<P> {
+    /// The equations of its level, nothing being asked of it; with a motor that turns with it, where there is one.
+    pub fn level(&self, linkage: &Arc<HeavyLinkage<P>>, geared: Option<&Arc<Geared<P>>>) -> Level<P> {
         let Bodies { pendulum, gravity, .. } = linkage.bodies;
         let dynamics = Dynamics::new(linkage.clone(), pendulum, gravity);
         let oil = self.oil.zip(self.parameters.cylinder);
@@ -91,7 +92,7 @@ where
             ground: self.ground,
             fitted: self.fitted,
         }
-        .level(dynamics)
+        .level(dynamics, geared)
     }
 
     fn bodies(&self, geometry: &Geometry<P>) -> Bodies<P> {

@@ -19,6 +19,7 @@ use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::parameters::{Choice, Parameters};
 use crate::luffing::double_link::pose::Posing;
 use crate::luffing::moving::dynamics::Coordinate;
+use crate::luffing::moving::geared::Geared;
 use crate::luffing::moving::given::{Constants, CylinderOil, Fitted};
 use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::level::{CraneAt, Level};
@@ -29,12 +30,14 @@ use crate::parts::ground::GroundBelow;
 use crate::parts::hydraulics::parts::OilParts;
 use crate::parts::turntable::Turning;
 
+type Levelling<P> = fn(&CraneParts<P>, &Arc<HeavyLinkage<P>>, Option<&Arc<Geared<P>>>) -> Level<P>;
+
 type ForcesOf<P> = fn(&Level<P>, &HeavyLinkage<P>, &CraneAt<P>) -> Option<ForcesInMotion<P>>;
 
 /// What the equations of motion have of this mechanism, over a scalar.
 pub struct LinkEquations<P: Calc> {
     linkage: fn(&CraneParts<P>) -> Result<HeavyLinkage<P>, Fault>,
-    level: fn(&CraneParts<P>, &Arc<HeavyLinkage<P>>) -> Level<P>,
+    level: Levelling<P>,
     forces: ForcesOf<P>,
 }
 
@@ -45,7 +48,7 @@ where
     fn new() -> LinkEquations<P> {
         LinkEquations {
             linkage: |parts| parts.linkage(),
-            level: |parts, linkage| parts.level(linkage),
+            level: CraneParts::level,
             forces: ForcesInMotion::of,
         }
     }
@@ -112,9 +115,15 @@ pub fn linkage<C: Scalar>(parts: &[CraneParts<C>], room: &mut Vec<Renewed<HeavyL
 }
 
 /// The equations of the level, nothing being asked of it.
-pub fn built<C: Scalar>(parts: &[CraneParts<C>], linkage: &[Renewed<HeavyLinkage<C>>], room: &mut Vec<Level<C>>) {
+pub fn built<C: Scalar>(
+    parts: &[CraneParts<C>],
+    linkage: &[Renewed<HeavyLinkage<C>>],
+    geared: &[Renewed<Geared<C>>],
+    room: &mut Vec<Level<C>>,
+) {
+    let geared = geared.first().map(Renewed::now);
     room.clear();
-    room.push((C::own::<LinkInMotion>().level)(&parts[0], linkage[0].now()));
+    room.push((C::own::<LinkInMotion>().level)(&parts[0], linkage[0].now(), geared));
 }
 
 /// Rates of angle and rate of the driven bar, boom or rocker.

@@ -57,6 +57,7 @@ pub(super) fn rules(moving: &Moving) -> Vec<&'static str> {
         (oil, "valve"),
         (motors, "drive"),
         (motors, "brake"),
+        (moving.braked, "shaft_brakes"),
         (moving.has_motor(), "lift_motor"),
     ];
     rules.into_iter().filter(|(said, _)| *said).map(|(_, id)| id).collect()
@@ -107,7 +108,7 @@ pub(super) fn planned<T: Shown>(luffing: &Description<T>, moving: &Moving) -> Ve
             ..of("hoist_and_stop", still(far), 2.0 * time + swings)
         });
     }
-    if moving.oil.is_some() || braking(moving.strongest.drives[0]) > 0.0 {
+    if moving.oil.is_some() || moving.braked || braking(moving.strongest.drives[0]) > 0.0 {
         let luffing = way(f64::midpoint(low, high), far);
         let emergency = (2.0 * ramp).min(0.5 * luffing.duration());
         all.push(Planned {
@@ -135,6 +136,7 @@ pub(super) fn at_rest(moving: &Moving) -> Moving {
     rest.controllers = None;
     rest.inputs.drives = [JointDrive::NONE; 2];
     (rest.inputs.hoist.speed, rest.inputs.hoist.drive, rest.inputs.valve) = (0.0, JointDrive::NONE, 0.0);
+    rest.inputs.braking = 0.0;
     if let Some(rope) = &mut rest.rope {
         rope.swing = 0.0;
     }
@@ -149,6 +151,8 @@ pub(super) struct Pilot<'a, T> {
     planned: &'a Planned,
     ramp: f64,
     luffing: Drive<T>,
+    /// Input of the brakes on the motor's shaft, where there are any.
+    shaft: Option<usize>,
     slewing: Option<JointMotor>,
     /// Rate of slewing that was reached, in rad/s.
     reached: f64,
@@ -264,11 +268,17 @@ impl<'a, T: Shown> Pilot<'a, T> {
                     Drive::Motor(JointMotor { least, ..motor })
                 }
             },
+            shaft: place(model, &m::U_BR).filter(|_| moving.braked),
             slewing: JointMotor::new(model, slewing, turning, 1.0),
             reached: 0.0,
             hoist: Lift::new(moving, model, planned.hoists),
             told: Vec::new(),
         })
+    }
+
+    /// Whether brakes on the motor's shaft are called at a time (s).
+    pub(super) fn calls(&self, time: f64) -> bool {
+        self.shaft.is_some() && time >= self.planned.emergency
     }
 
     /// In s.
@@ -283,11 +293,15 @@ impl<'a, T: Shown> Pilot<'a, T> {
         match &mut self.luffing {
             Drive::Motor(motor) => {
                 let told = match stopped {
+                    true if self.shaft.is_some() => [0.0; 2],
                     true => [0.0, motor.braking],
                     false => motor.follow(model, [from, to].map(|time| target.at(time)[1]), to - from)?,
                 };
                 let inputs = motor.inputs;
                 self.set_both(model, inputs, from, told)?;
+                if let Some(shaft) = self.shaft {
+                    self.set(model, shaft, from, if stopped { 1.0 } else { 0.0 })?;
+                }
             }
             Drive::Valve(valve) => {
                 let opening = match stopped {

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `shown` | what is a mechanism's own in that |
 //! | `manoeuvres`, `motor`, `travel` | which manoeuvres there are, and what inputs are told in each |
-//! | `run`, `events`, `energy`, `present` | a run of the running model; what is asked of the model at an instant |
+//! | `run`, `events`, `energy`, `present`, `stop` | a run of the running model; what is asked of the model at an instant; a stop by brakes |
 //! | `motion` | the chapter of all runs |
 
 mod energy;
@@ -15,4 +15,5 @@ mod motor;
 mod present;
 mod run;
 pub mod shown;
+mod stop;
 mod travel;

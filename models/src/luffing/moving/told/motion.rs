@@ -28,6 +28,7 @@ use crate::luffing::moving::told::manoeuvres::{Pilot, Planned, at_rest, designed
 use crate::luffing::moving::told::present::{recorded, standing};
 use crate::luffing::moving::told::run::{EVENTS, Run, timed};
 use crate::luffing::moving::told::shown::Shown;
+use crate::luffing::moving::told::stop::Stop;
 use crate::parts::hydraulics::symbols as h;
 use crate::parts::hydraulics::throttle::LAMINAR;
 
@@ -40,7 +41,7 @@ const SECTIONS: [(&str, &[&Symbol]); 12] = [
     (
         "motion_bodies",
         listed! { m:
-            MASS_Q, I_R5, DI_R5, I_R, DI_R, M_W, DDA_X, DDA_Y
+            MASS_Q, I_R5, DI_R5, I_R, DI_R, M_W, DDA_X, DDA_Y, DS_S, DDS_S, DPSI_M, DDPSI_M, I_M, DI_M, I_ALL, DI_ALL
         },
     ),
     ("motion_slewing", &[]),
@@ -100,7 +101,7 @@ const SECTIONS: [(&str, &[&Symbol]); 12] = [
     (
         "motion_equations",
         listed! { m:
-            MASS_H, V_Q, DELTA_R, D_DELTA_R, S_RD, F_C, M_R, M_R_SL, M_NET, TAU_M, M_NET_SL, ALPHA_0, ALPHA_0SL, A_N, KAPPA_R, A_R, A_AX, A_AY, A_AR, A_QX, A_QY, A_QPHI, A_LR, D_OMEGA_SL,
+            MASS_H, V_Q, DELTA_R, D_DELTA_R, S_RD, F_C, M_BM, M_R, M_R_SL, M_NET, TAU_M, M_NET_SL, ALPHA_0, ALPHA_0SL, A_N, KAPPA_R, A_R, A_AX, A_AY, A_AR, A_QX, A_QY, A_QPHI, A_LR, D_OMEGA_SL,
             D_OMEGA_R, D_V_QX, D_V_QY, D_V_QZ, D_V_Q, S_R, D_V_R
         },
     ),
@@ -114,6 +115,7 @@ const SECTIONS: [(&str, &[&Symbol]); 12] = [
             &m::M_RC,
             &m::M_RV,
             &m::M_RS,
+            &m::M_IM,
             &m::F_5X,
             &m::F_5Y,
             &m::M_I5,
@@ -250,6 +252,7 @@ fn ran<T: Shown>(
             .collect(),
         seen: run.series.frames(&model, &frames),
         events: run.listed(),
+        stop: run.stop.iter().flat_map(Stop::told).collect(),
         more_events: run.events.len().saturating_sub(EVENTS),
         energy: run.energy.list(moving),
     };

@@ -17,6 +17,7 @@ use crate::luffing::moving::told::events::Watch;
 use crate::luffing::moving::told::manoeuvres::Pilot;
 use crate::luffing::moving::told::present::{kinetic, powers, present};
 use crate::luffing::moving::told::shown::Shown;
+use crate::luffing::moving::told::stop::Stop;
 use crate::parts::hydraulics::oil::VACUUM;
 use crate::parts::joint::Bar;
 
@@ -121,6 +122,8 @@ pub(super) struct Run {
     /// Of the moment on the driving link by the moving bodies' equilibrium from that of drive, friction and stop, at most,
     /// and the greatest of those moments (N·m).
     pub apart: [f64; 2],
+    /// How brakes stop it, once they are called.
+    pub stop: Option<Stop>,
 }
 
 impl Run {
@@ -169,6 +172,7 @@ impl Run {
             least_pressure: [least, 0.0],
             greatest_swing: [swing(moving, &at), 0.0],
             apart: [0.0; 2],
+            stop: None,
         };
         let mut watch = Watch::new(&luffing.motion, moving, &at, sample);
         // The crane was at rest before.
@@ -180,6 +184,9 @@ impl Run {
             if i > 0 {
                 // Nothing is told that the model refuses: what it refuses next ends the run.
                 let _ = pilot.tell(model, [from, to]);
+                if pilot.calls(from) && run.stop.is_none() {
+                    run.stop = Stop::called::<T::Component>(model, from);
+                }
                 power = powers::<T::Component>(model).ok()?;
             }
             let turned_over = turnover(&run.energy.work);
@@ -189,6 +196,9 @@ impl Run {
                 break;
             };
             let (at, least) = present::<T::Component>(model);
+            if let Some(stop) = &mut run.stop {
+                stop.look::<T::Component>(model, to);
+            }
             let next = Watch::new(&luffing.motion, moving, &at, sample);
             let events = next.since(&watch);
             run.energy.add(&work, now.1);
