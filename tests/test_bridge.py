@@ -190,7 +190,7 @@ def test_the_frequency_by_the_loop(still, ropes):
 def test_the_list_by_statics(still, e_x):
     """Equilibrium of the rigid spreader on its ropes: turn of the loop and both pulls by Newton's method on three sums of zero."""
     g = {**ROPES, "l": 18.0}
-    weight = SPREADER * G + LOAD
+    weight = (SPREADER + LOAD) * G
     arm = lambda turn, x, y: np.array([x * math.cos(turn) - y * math.sin(turn), x * math.sin(turn) + y * math.cos(turn)])
 
     def sums(found):

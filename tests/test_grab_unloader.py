@@ -231,8 +231,8 @@ def swings(times, rates, fed, ropes=ROPES, phi=0.0):
             a = told + 2 * fed * math.sqrt(G * l) * y[1] - fed * math.sqrt(G / l) * hoist * y[0]
             return [y[1], (2 * hoist * y[1] - G * math.sin(y[0]) - a * math.cos(y[0])) / l, y[3], a]
 
-        inside = [t for t in times if now < t <= stop + 1e-12]
-        solved = solve_ivp(f, (now, stop), state, method="DOP853", rtol=1e-11, atol=1e-13, t_eval=[min(t, stop) for t in inside] + [stop])
+        inside = [min(t, stop) for t in times if now + 1e-12 < t <= stop + 1e-12]
+        solved = solve_ivp(f, (now, stop), state, method="DOP853", rtol=1e-11, atol=1e-13, t_eval=sorted({*inside, stop}))
         found += list(solved.y.T[:len(inside)])
         state, now = solved.y[:, -1], stop
     return np.array(found)
