@@ -62,6 +62,9 @@ struct Way<'a, T> {
     after: f64,
 }
 
+/// Of a way its row, its path and its sway over time.
+type Gone = (Vec<f64>, [Vec<[f64; 2]>; 2]);
+
 /// What is known before of the way to the land side.
 pub(super) fn foreseen(given: &Given<f64>, hoisting: Option<Course>) -> Option<Foreseen> {
     let (way, load) = (given.way?, given.swaying?);
@@ -98,7 +101,7 @@ pub(super) fn ways<T: Described>(
         by_angle.clone().map(|course| of(4, course, plain, 0.0)),
     ];
     let gone = all.iter().flatten().map(|way| way.gone(period));
-    let gone: Vec<(Vec<f64>, [Vec<[f64; 2]>; 2])> = gone.collect::<Option<_>>()?;
+    let gone: Vec<Gone> = gone.collect::<Option<_>>()?;
     let curve = |id, x, y, which: usize| Curve {
         id,
         x,
@@ -131,7 +134,7 @@ pub(super) fn ways<T: Described>(
 
 impl<T: Described> Way<'_, T> {
     /// Its row, its path and its sway over time; the sway that is left is the greatest in a period (s) after it.
-    fn gone(&self, period: f64) -> Option<(Vec<f64>, [Vec<[f64; 2]>; 2])> {
+    fn gone(&self, period: f64) -> Option<Gone> {
         const FOLLOWED: &[&Symbol] = listed!(s: PHI_R, X_L, Y_Q);
         let end = self.course.end() + self.after;
         let run = |told: &Description<T>| {
