@@ -186,6 +186,37 @@ def test_the_frequency_by_the_loop(still, ropes):
         assert result["lambda_e"] == pytest.approx((longer - shorter) / 0.1, abs=1e-4)
 
 
+@pytest.mark.parametrize("e_x", [0.3, 0.03, -0.15])
+def test_the_list_by_statics(still, e_x):
+    """Equilibrium of the rigid spreader on its ropes: turn of the loop and both pulls by Newton's method on three sums of zero."""
+    g = {**ROPES, "l": 18.0}
+    weight = (SPREADER + LOAD) * G
+    arm = lambda turn, x, y: np.array([x * math.cos(turn) - y * math.sin(turn), x * math.sin(turn) + y * math.cos(turn)])
+
+    def sums(found):
+        turn, sea, land = found
+        middle = pose(18.0, turn, **{**ROPES, "e_q": 0.0})
+        forces, moment = np.array([0.0, -weight]), -arm(turn, e_x, -g["e_q"])[0] * weight
+        for sign, pull in ((1, sea), (-1, land)):
+            joint = arm(turn, sign * g["a_u"], 0.0)
+            force = 2 * pull * (np.array([sign * g["a_o"], 0.0]) - middle - joint) / g["l"]
+            forces, moment = forces + force, moment + joint[0] * force[1] - joint[1] * force[0]
+        return np.array([*forces, moment]) / weight
+
+    found = np.array([0.0, weight / 4, weight / 4])
+    for _ in range(20):
+        steps = np.diag([1e-6, 1.0, 1.0])
+        slope = np.array([(sums(found + step) - sums(found - step)) / (2 * step.sum()) for step in steps]).T
+        found = found - np.linalg.solve(slope, sums(found))
+    assert np.abs(sums(found)).max() < 1e-9
+    result = simulate_fmu(still["rope"]["FMI 3"], stop_time=0.1, start_values={"e_x": e_x}, output=["beta_l", "S_r1", "S_r2"])[0]
+    # Left out is the square of the list: by Newton's method 0.011 and 0.002 of the square of e_x in m.
+    small = 0.015 * e_x**2
+    assert result["beta_l"] == pytest.approx(-found[0], rel=small)
+    assert result["S_r1"] == pytest.approx(found[1], rel=small) and result["S_r2"] == pytest.approx(found[2], rel=small)
+    assert abs(found[1] / found[2] - 1) > 0.2 * abs(e_x)
+
+
 def test_parallel_ropes_have_the_frequency_of_one(still):
     for depth in (0.0, 2.0, 8.0):
         result = simulate_fmu(still["rope"]["FMI 3"], stop_time=0.1, output=["omega_e", "k_omega"],
@@ -248,9 +279,9 @@ def test_the_book_tells_sway_starts_and_tow_rope(language, tmp_path):
     lemnis("book", SCENE, "--language", language, "--format", "typ", "--output", tmp_path)
     book = typst(tmp_path / "ContainerBridge.typ")
     known = words(language)
-    for section in ("suspension", "skew", "profiles", "lengths", "simple", "cycle", "rails", "motion", "travel", "powers", "tow"):
+    for section in ("suspension", "skew", "profiles", "feedback", "list", "brakes", "lengths", "simple", "cycle", "rails", "motion", "travel", "powers", "tow"):
         assert known["section"][f"bridge_{section}"] in book, section
-    for check in ("cycle", "power", "rail", "sag", "rope", "frequency", "steps"):
+    for check in ("cycle", "power", "rail", "sag", "rope", "brake", "list", "frequency", "steps"):
         assert known["check"][f"bridge_{check}"] in book, check
     for curve in ("sea", "land", "sag_sea", "sag_land", "lengths", "simple"):
         assert known["curve"][f"bridge_{curve}"] in book, curve

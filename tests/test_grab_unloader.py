@@ -1,12 +1,14 @@
 """A grab unloader in FMPy, both standards and both interfaces, in all four schemes against ropes by hand, and in the book."""
 
 import math
+import re
 import tomllib
 
 import numpy as np
 import pytest
 from fmpy import read_model_description, simulate_fmu
 from fmpy.validation import validate_fmu
+from scipy.integrate import solve_ivp
 
 from conftest import ROOT, lemnis, typst, words
 
@@ -205,3 +207,81 @@ def test_the_book_has_speeds_tensions_and_powers(language, tmp_path):
     # 28 t, of which the trolley at 0.6 m/s² asks for 48.02 kN; 80.67 kN in a rope; 850 kN over half of 28 t; 1152 t/h.
     for value in ("274.7", "48.02", "80.67", "6.189", "1152"):
         assert (value.replace(".", ",") if language == "bg" else value) in book, value
+
+
+SWAY = ROOT / "models/scenes/grab_sway.toml"
+# Of that scene, to the land side: ropes, speed, acceleration, way, feedback; hoisting with its end.
+ROPES, V_M, A_M, S_M, FED, HOIST, RAISED = 24.0, 4.0, 0.7, 45.0, 0.3, 1.6, 8.0
+PERIOD = 2 * math.pi * math.sqrt(ROPES / G)
+
+
+def swings(times, rates, fed, ropes=ROPES, phi=0.0):
+    """The grab as a point, by SciPy: sway, its rate, trolley's place and speed; from the equation in the plane, nothing small."""
+    found, state, now = [], np.array([phi, 0.0, 25.0, 0.0]), 0.0
+    breaks = sorted({*(time for time, _ in rates), RAISED, times[-1]})
+    length = lambda t: ropes - HOIST * min(t, RAISED)
+    for stop in breaks:
+        if stop <= now:
+            continue
+        told = next((rate for time, rate in reversed(rates) if time <= now + 1e-12), 0.0)
+        hoist = HOIST if now < RAISED - 1e-12 else 0.0
+
+        def f(t, y):
+            l = length(t)
+            # Faster by 2 ζ √(g l) φ than it is told: by the product's rule.
+            a = told + 2 * fed * math.sqrt(G * l) * y[1] - fed * math.sqrt(G / l) * hoist * y[0]
+            return [y[1], (2 * hoist * y[1] - G * math.sin(y[0]) - a * math.cos(y[0])) / l, y[3], a]
+
+        inside = [min(t, stop) for t in times if now + 1e-12 < t <= stop + 1e-12]
+        solved = solve_ivp(f, (now, stop), state, method="DOP853", rtol=1e-11, atol=1e-13, t_eval=sorted({*inside, stop}))
+        found += list(solved.y.T[:len(inside)])
+        state, now = solved.y[:, -1], stop
+    return np.array(found)
+
+
+@pytest.mark.parametrize("kind", ["CoSimulation", "ModelExchange"])
+@pytest.mark.parametrize("standard", ENDS)
+def test_the_grab_sways(tmp_path, standard, kind):
+    # Steps of a 500th of the period: the equations are looked at, not the solver's usual step.
+    text = SWAY.read_text(encoding="utf-8").replace("[grab_unloader.way]", '[grab_unloader.dynamics]\nstep = "0.02 s"\n\n[grab_unloader.way]')
+    (tmp_path / "GrabSway.toml").write_text(text, encoding="utf-8")
+    lemnis("fmu", tmp_path / "GrabSway.toml", "--output", tmp_path)
+    path = str(tmp_path / f"GrabSway{ENDS[standard]}")
+    assert not validate_fmu(path)
+    variables = {variable.name: variable for variable in read_model_description(path).modelVariables}
+    assert variables["zeta_f"].causality == "parameter" and variables["v_t"].causality != "input"
+    rates = [(0.0, -0.7), (5.7143, 0.0), (11.25, 0.7), (16.9643, 0.0)]
+    for fed in (FED, 0.0):
+        result = simulate_fmu(path, fmi_type=kind, stop_time=30.0, output_interval=0.25, relative_tolerance=1e-10, record_events=False,
+                              start_values={"zeta_f": fed}, output=["phi_R", "omega_R", "x_t", "v_t", "l_R", "x_L", "y_Q"])
+        wanted = swings(result["time"][1:], rates, fed)
+        for i, name in enumerate(("phi_R", "omega_R", "x_t", "v_t")):
+            assert np.abs(result[name][1:] - wanted[:, i]).max() < 2e-6, name
+        assert np.abs(result["x_L"] - result["x_t"] - result["l_R"] * np.sin(result["phi_R"])).max() < 1e-12
+        assert np.abs(result["y_Q"] + result["l_R"] * np.cos(result["phi_R"])).max() < 1e-12
+        assert np.ptp(result["phi_R"]) > 0.15
+        if fed:
+            assert np.abs(result["phi_R"][-8:]).max() < 0.02
+
+
+@pytest.mark.parametrize("language", ["en", "zh", "bg"])
+def test_the_book_has_ways_beside_each_other(language, tmp_path):
+    lemnis("book", SWAY, "--language", language, "--format", "typ", "--output", tmp_path)
+    book = typst(tmp_path / "GrabSway.typ")
+    known = words(language)
+    for section in ("on_way", "ways", "programme", "swung"):
+        assert known["section"][f"unloader_{section}"] in book, section
+    for curve in ("path", "sway"):
+        assert known["curve"][f"unloader_{curve}"] in book, curve
+    start = [(0.0, -A_M), (V_M / A_M, 0.0)]
+    plain = [(shift + time, sign * rate) for shift, sign in ((0.0, 1), (S_M / V_M, -1)) for time, rate in start]
+    hold = V_M / A_M - PERIOD / 3
+    ends = np.cumsum([0, PERIOD / 6, PERIOD / 6, hold, PERIOD / 6, PERIOD / 6])
+    sixths = [(shift + float(t), -sign * A_M * on) for shift, sign in ((0.0, 1), (S_M / V_M, -1)) for t, on in zip(ends, (1, 0, 1, 0, 1, 0))]
+    for number, rates, fed in ((1, plain, 0.0), (2, plain, FED), (3, sixths, 0.0)):
+        end = rates[-1][0] + (PERIOD if fed else 0.0)
+        times = np.concatenate([np.linspace(0, end, 401)[1:], end + np.linspace(0, PERIOD, 401)[1:]])
+        own, longer = (np.degrees(np.abs(swings(times, rates, fed, ropes)[:, 0])) for ropes in (ROPES, 1.1 * ROPES))
+        row = [end, own[:400].max(), own[400:].max(), longer[400:].max()]
+        cells = f"[{number}]," + "".join(f"[{value:.2f}]," for value in row)
+        assert (re.sub(r"(\d)\.(\d)", r"\1,\2", cells) if language == "bg" else cells) in book, cells

@@ -148,7 +148,7 @@ FLOORS = [
     ["kernel"],
     ["parts"],
     ["component"],
-    ["balance", "drive"],
+    ["balance", "drive", "sway"],
     ["luffing", "slewing", "steering", "supports", "hopper", "unloader", "bridge"],
     ["afloat"],
     ["registry", "book", "vary"],

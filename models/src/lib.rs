@@ -1,7 +1,7 @@
 //! Equations, symbols and scenes of Lemnis. No I/O, no FMI, no templates.
 //!
 //! A scene's text ([`scene`]) is checked against its keys ([`kernel::schema`]) and
-//! becomes a mechanism of the [`registry`]: [`luffing`] with its [`balance`] and [`drive`], [`slewing`], [`hopper`], [`unloader`], [`bridge`], [`afloat`], [`steering`], [`supports`]. Its equations, over
+//! becomes a mechanism of the [`registry`]: [`luffing`] with its [`balance`] and [`drive`], [`sway`] under trolleys, [`slewing`], [`hopper`], [`unloader`], [`bridge`], [`afloat`], [`steering`], [`supports`]. Its equations, over
 //! [`parts`], run on any scalar ([`kernel::calc`]): on `f64` in a model, which the
 //! FMU steps, on the recorder ([`kernel::record`]) for the book's sheet; both are made in [`component`].
 //! The synthesis of a balance, and of whatever a scene asks for ([`request`]), is searches without FMU;
@@ -28,5 +28,6 @@ pub mod slewing;
 pub mod steering;
 pub mod study;
 pub mod supports;
+pub mod sway;
 pub mod unloader;
 pub mod vary;

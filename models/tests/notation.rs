@@ -17,10 +17,11 @@ use lemnis_models::registry;
 use lemnis_models::slewing;
 use lemnis_models::steering;
 use lemnis_models::supports::{column, drive as drive_of_supports, mobile, portal, ring, upper};
+use lemnis_models::sway::pendulum;
 use lemnis_models::unloader;
 
 /// Every mechanism with its table.
-const TABLES: [(&str, &[&Symbol]); 36] = [
+const TABLES: [(&str, &[&Symbol]); 37] = [
     ("The double-link luffing mechanism", double_link::symbols::ALL),
     (
         "The double-link luffing mechanism in motion",
@@ -73,6 +74,7 @@ const TABLES: [(&str, &[&Symbol]); 36] = [
         "The trolley of a container bridge: places, speeds and forces to the sea side, hoisting upward",
         bridge::symbols::ALL,
     ),
+    ("A load that sways under a trolley", pendulum::ALL),
     ("A crane on a hull that floats", afloat::symbols::ALL),
     ("A luffing mechanism that something carries", luffing::aboard::ALL),
     ("Gravity", gravity::ALL),

@@ -4,15 +4,21 @@
 #[path = "common/named.rs"]
 mod named;
 
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 use lemnis_models::component::model::Model;
+use lemnis_models::kernel::calc::Calc;
 use lemnis_models::scene::Scene;
+use lemnis_models::sway::starts::Start;
+use lemnis_models::unloader::foreseen::Foreseen;
 use lemnis_models::unloader::reeving::{SCHEMES, Scheme};
 
 use named::{get, index, model, near, set};
 
 const READY: &str = include_str!("../scenes/grab_unloader.toml");
+
+const SWAY: &str = include_str!("../scenes/grab_sway.toml");
+const G: f64 = 9.81;
 
 /// The ready scene with another scheme, of which the slack rope has 20 kN and the auxiliary trolley 5 t.
 fn scene(scheme: Scheme) -> String {
@@ -282,4 +288,130 @@ fn the_ready_scene_in_all_schemes() {
         let told = sheet.sections().any(|section| section.id == "unloader_planetary");
         assert_eq!(told, own);
     }
+}
+
+fn foreseen(told: [f64; 2], hoisting: Option<[f64; 2]>) -> Foreseen {
+    let over = |[speed, time]: [f64; 2]| {
+        let rows = vec![[0.0, speed], [time, 0.0]];
+        lemnis_models::kernel::course::Course {
+            rows,
+            between: lemnis_models::kernel::course::Between::Steps,
+            shaped: None,
+        }
+    };
+    Foreseen {
+        length: 20.0,
+        hoisting: hoisting.map(over),
+        gravity: G,
+        told,
+        way: 40.0,
+    }
+}
+
+/// On ropes of one length the programme by the angle is that by sixths of the period, the nearer the smaller the sway is.
+#[test]
+fn the_predicted_angle_gives_sixths_of_the_period() {
+    let period = TAU * (20.0_f64 / G).sqrt();
+    for (told, within) in [([0.4, 0.06], 2e-5), ([0.04, 0.006], 2e-7)] {
+        let mut known = foreseen(told, None);
+        known.way = 12.0 * told[0] / told[1] * told[0];
+        let found = known.by_angle().expect("it has room");
+        let wanted = Start::Sixths.course(told, period);
+        for (found, wanted) in found.rows.iter().zip(&wanted.rows) {
+            near(found[0] / period, wanted[0] / period, 10.0 * within);
+            near(found[1] / told[1], wanted[1] / told[1], within);
+        }
+    }
+}
+
+/// Whatever is hoisted meanwhile, the predicted programme ends its way at rest with no sway; that by the period does not.
+#[test]
+fn the_predicted_angle_leaves_no_sway_while_hoisting() {
+    for hoisting in [None, Some([1.2, 8.0]), Some([-0.8, 9.0])] {
+        let known = foreseen([3.5, 0.6], hoisting);
+        let text = |course: &lemnis_models::kernel::course::Course| {
+            let row = |[time, rate]: &[f64; 2]| format!("[\"{time:?} s\", \"{:?} m/s2\"]", -rate);
+            let rows: Vec<String> = course.rows.iter().map(row).collect();
+            let (head, rest) = SWAY.split_once("a_t     =").expect("commands");
+            let (_, rest) = rest.split_once("v_c     =").expect("closing");
+            let hoist = hoisting.map_or_else(String::new, |[speed, time]| {
+                format!("v_h = {{ between = \"steps\", over = [[\"0 s\", \"{speed:?} m/s\"], [\"{time:?} s\", \"0 m/s\"]] }}\n")
+            });
+            format!(
+                "{head}a_t = {{ between = \"steps\", over = [{}] }}\n{hoist}v_c     ={rest}",
+                rows.join(", ")
+            )
+            .replace("zeta_f  = \"0.3\"               # feedback of the sway\n", "")
+            .replace("l_R = \"24 m\"", "l_R = \"20 m\"")
+        };
+        let left = |course: &lemnis_models::kernel::course::Course| {
+            let mut moving = model(&text(course));
+            moving.start().expect("it begins");
+            moving.advance(0.0, course.end()).expect("it goes on");
+            near(get(&mut moving, "v_t"), 0.0, 1e-9);
+            near(get(&mut moving, "x_t"), 25.0 - 40.0, 1e-7);
+            let length = get(&mut moving, "l_R");
+            let rate = get(&mut moving, "omega_R") * (length / G).sqrt();
+            (get(&mut moving, "phi_R").powi(2) + rate.powi(2)).sqrt()
+        };
+        let [angle, period] = [known.by_angle().expect("it has room"), known.by_period()].map(|course| left(&course));
+        assert!(angle < 1e-7, "{angle}");
+        assert!(hoisting.is_none() || period > 0.01, "{period}");
+    }
+}
+
+/// A pendulum that is drawn in keeps the moment of its momentum but for what gravity gives: energy by the work of its rope.
+#[test]
+fn hoisting_gives_the_grab_its_energy() {
+    let (head, rest) = SWAY.split_once("a_t     =").expect("commands");
+    let (_, rest) = rest.split_once("v_c     =").expect("closing");
+    let text = format!("{head}phi_R = \"20 deg\"\nv_h = \"1.5 m/s\"\nv_c     ={rest}");
+    let mut moving = model(&text.replace("zeta_f  = \"0.3\" ", "zeta_f  = \"0\" "));
+    moving.start().expect("it begins");
+    let energy = |moving: &mut Model| {
+        let [l, phi, omega] = ["l_R", "phi_R", "omega_R"].map(|name| get(moving, name));
+        28e3 * (0.5 * (l * l * omega * omega + 2.25) - G * l * Calc::sin_cos(phi).1)
+    };
+    let begun = energy(&mut moving);
+    let (mut work, steps) = (0.0, 4000);
+    let mut before = get(&mut moving, "S_R");
+    for i in 0..steps {
+        let at = |i: u32| 8.0 * f64::from(i) / f64::from(steps);
+        moving.advance(at(i), at(i + 1)).expect("it goes on");
+        let now = get(&mut moving, "S_R");
+        work += f64::midpoint(before, now) * 1.5 * 8.0 / f64::from(steps);
+        before = now;
+    }
+    near((energy(&mut moving) - begun) / work, 1.0, 1e-6);
+    near(get(&mut moving, "l_R"), 12.0, 1e-9);
+}
+
+/// Closed forms of the way, and that the ready scene ends it nearly at rest.
+#[test]
+fn the_way_in_closed_form() {
+    let mut moving = model(SWAY);
+    let omega = (G / 24.0_f64).sqrt();
+    near(get(&mut moving, "T_g"), TAU / omega, 1e-13);
+    near(get(&mut moving, "phi_st"), 0.7 / G, 1e-15);
+    let left = 2.0 * 0.7 / G * Calc::sin(omega * 4.0 / 0.7 / 2.0).abs();
+    near(get(&mut moving, "rho_pl"), left, 1e-14);
+    near(get(&mut moving, "t_pl"), 45.0 / 4.0 + 4.0 / 0.7, 1e-13);
+    near(
+        get(&mut moving, "t_pr"),
+        45.0 / 4.0 + 4.0 / 0.7 + TAU / omega / 3.0,
+        1e-12,
+    );
+    moving.start().expect("it begins");
+    // Whatever is hoisted: faster than told by the gain times the sway.
+    for (from, to, told) in [
+        (0.0, 4.0, -2.8),
+        (4.0, 8.5, -4.0),
+        (8.5, 13.0, -4.0 + 0.7 * 1.75),
+        (13.0, 30.0, 0.0),
+    ] {
+        moving.advance(from, to).expect("it goes on");
+        let gain = 0.6 * (G * get(&mut moving, "l_R")).sqrt();
+        near(get(&mut moving, "v_t"), told + gain * get(&mut moving, "phi_R"), 3e-5);
+    }
+    near(get(&mut moving, "phi_R"), 0.0, 0.5_f64.to_radians());
 }

@@ -18,7 +18,7 @@ fn ropes(n: &mut Node) -> f64 {
     let length = n.draw.scale[0] * n.draw.between(0.3, 2.0);
     let mut ropes = n.child("ropes").expect("required");
     let length = ropes.set("l_R", length);
-    for name in ["a_o", "a_u", "b_o", "b_u", "i_q", "i_z", "e_q", "d_q"] {
+    for name in ["a_o", "a_u", "b_o", "b_u", "i_q", "i_z", "e_q", "d_q", "e_x"] {
         let part = ropes.draw.between(0.02, 0.15);
         if ropes.has(name) {
             ropes.set(name, part * length);
@@ -56,6 +56,10 @@ fn trolley(n: &mut Node) {
     if let Some(mut driven) = n.child("driven") {
         let count = f64::from(driven.draw.rng.u32(1..5));
         driven.set("n_dr", count);
+    }
+    if let Some(mut brakes) = n.child("brakes") {
+        let force = weight * brakes.draw.between(0.3, 2.0);
+        brakes.set("F_br", force);
     }
     if let Some(mut sheaves) = n.child("sheaves") {
         let count = 1 + i64::from(sheaves.draw.rng.u32(0..4));
@@ -116,13 +120,17 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
                 n.set(name, value);
             }
         }
+        if n.has("zeta_f") {
+            let value = n.draw.between(0.0, 0.9);
+            n.set("zeta_f", value);
+        }
         let step = (length / g).sqrt() * n.draw.between(0.005, 0.05);
         if let Some(mut dynamics) = n.child("dynamics") {
             dynamics.set("step", step);
         }
     } else {
         // One value of it may be told over time, which only a motion has.
-        n.remove(&["x_t", "phi_R", "dynamics", "a_t", "v_h"]);
+        n.remove(&["x_t", "phi_R", "zeta_f", "dynamics", "a_t", "v_h"]);
     }
     table
 }

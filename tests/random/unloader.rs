@@ -102,7 +102,50 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     phases(&mut n, count, 0.03);
     let speed = n.draw.natural(&s::V_T);
     working_range(&mut n, [-speed, speed]);
+    sway(&mut n);
     table
+}
+
+/// A way with room for its starts, and no key of a motion where the trolley's speed is set.
+fn sway(n: &mut Node) {
+    let (size, g) = (n.draw.scale[0], n.draw.g);
+    if n.text("fidelity") != Some("swing") {
+        // One value of it may be told over time, which only a motion has.
+        n.remove(&["way", "dynamics", "x_t", "phi_R", "zeta_f", "a_t", "v_h"]);
+        return;
+    }
+    let length = size * n.draw.between(0.3, 2.0);
+    let period = (length / g).sqrt();
+    let (rate, lasts, room) = (
+        g * n.draw.between(0.01, 0.1),
+        n.draw.between(0.5, 8.0),
+        n.draw.between(4.0, 9.0),
+    );
+    n.keep("way", true);
+    let mut way = n.child("way").expect("kept");
+    for (name, value) in [
+        ("l_R", length),
+        ("a_m", rate),
+        ("v_m", rate * lasts * period),
+        ("s_m", rate * lasts * period * period * (lasts + room)),
+    ] {
+        way.set(name, value);
+    }
+    let hoist = 0.02 * length / period;
+    for (name, most) in [("a_t", 0.05 * g), ("v_h", hoist), ("x_t", size), ("phi_R", 0.3)] {
+        if n.has(name) {
+            let value = most * n.draw.between(-1.0, 1.0);
+            n.set(name, value);
+        }
+    }
+    if n.has("zeta_f") {
+        let value = n.draw.between(0.0, 0.9);
+        n.set("zeta_f", value);
+    }
+    let step = period * n.draw.between(0.005, 0.05);
+    if let Some(mut dynamics) = n.child("dynamics") {
+        dynamics.set("step", step);
+    }
 }
 
 /// Next to what cannot be: two drums, half a rope, ropes that get slack, three phases, teeth of nearly none.

@@ -3,29 +3,32 @@
 
 use num_dual::{Dual2, Dual2_64};
 
-use crate::bridge::profiles::Start;
 use crate::bridge::stages::Given;
 use crate::bridge::suspension::Suspended;
 use crate::bridge::swing::length;
 use crate::bridge::symbols as s;
 use crate::component::description::{Described, Description};
-use crate::component::running::Running;
+use crate::component::ride::{most, ride};
 use crate::component::sheet::{Curve, Section, Table};
 use crate::kernel::calc::Calc;
-use crate::kernel::course::Course;
+use crate::kernel::course::{Between, Course};
 use crate::kernel::symbol::{Symbol, listed};
 use crate::parts::closure::Closure;
 use crate::parts::four_bar::{Branch, FourBar, Names};
 use crate::parts::plane::{self, Point, cross, dot, squared};
+use crate::sway::pendulum::Feedback;
+use crate::sway::starts::Start;
 
-/// Lengths of the ropes over that of the scene, of the tables; pieces of their curves, and instants of a run.
+/// Lengths of the ropes over that of the scene, of the tables; of ropes that are longer than thought; pieces of the curves, and
+/// steps of a period of the linear oscillator.
 const LENGTHS: [f64; 9] = [0.8, 0.85, 0.9, 0.95, 1.0, 1.05, 1.1, 1.15, 1.2];
+const LONGER: f64 = 1.1;
 const FINE: u32 = 160;
-const INSTANTS: u32 = 400;
+const STEPS: f64 = 2000.0;
 
 const RUN_COLUMNS: [&[&Symbol]; 2] = [
-    listed!(s: NUMBER, A_P, T_P, PHI_P, RHO_E, RHO_G),
-    listed!(s: NUMBER, A_P, T_P, PHI_P, PHI_RUN, RHO_E, RHO_RUN, RHO_G, RHO_G_RUN),
+    listed!(s: NUMBER, A_P, T_P, PHI_P, RHO_E, RHO_LL, RHO_G),
+    listed!(s: NUMBER, A_P, T_P, PHI_P, PHI_RUN, RHO_E, RHO_RUN, RHO_LL, RHO_G, RHO_G_RUN),
 ];
 
 /// The load on ropes of a length over that of the scene.
@@ -34,56 +37,110 @@ fn on(given: &Given<f64>, part: f64) -> Option<(f64, Suspended<f64>)> {
     Some((length, Suspended::new(&given.ropes, &given.gravity, &length).ok()?))
 }
 
+/// Speed (m/s) and acceleration (m/s²) of the scene's start.
+fn told(given: &Given<f64>) -> [f64; 2] {
+    [given.profile.v_c, given.profile.a_c]
+}
+
 /// Sway (rad) that a start leaves on these ropes where it is made for a period (s).
 fn left(start: Start, given: &Given<f64>, hanging: &Suspended<f64>, period: f64) -> f64 {
-    let [rate, _] = start.timed(&given.profile, period);
-    hanging.felt * rate / *given.gravity * start.left(&given.profile, hanging.frequency, period)
+    let [rate, _] = start.timed(told(given), period);
+    hanging.felt * rate / *given.gravity * start.left(told(given), hanging.frequency, period)
 }
 
 /// A row for each start: in closed form, and where it moves in runs, with the period of the four ropes and that of the simple
-/// pendulum.
-pub(super) fn compared<T: Described>(told: &Description<T>, given: &Given<f64>) -> Option<Table> {
+/// pendulum; and for the plain start under feedback, where the scene has that.
+pub(super) fn compared<T: Described>([plain, fed]: [&Description<T>; 2], given: &Given<f64>) -> Option<Table> {
     let (_, hanging) = on(given, 1.0)?;
+    let (_, longer) = on(given, LONGER)?;
     let row = |(number, start): (u32, Start)| {
-        let [rate, lasts] = start.timed(&given.profile, hanging.period);
+        let [rate, lasts] = start.timed(told(given), hanging.period);
         let greatest =
-            hanging.felt * rate / *given.gravity * start.greatest(&given.profile, hanging.frequency, hanging.period);
+            hanging.felt * rate / *given.gravity * start.greatest(told(given), hanging.frequency, hanging.period);
         let periods = [hanging.period, hanging.simple_period];
         let [own, simple] = periods.map(|period| left(start, given, &hanging, period));
+        let late = left(start, given, &longer, hanging.period);
         let head = [f64::from(number), rate, lasts, greatest];
         if given.swaying.is_none() {
-            return Some(head.into_iter().chain([own, simple]).collect());
+            return Some(head.into_iter().chain([own, late, simple]).collect());
         }
-        let run = |period| run(told, start.course(&given.profile, period), hanging.period);
-        let [[most, rest], [_, late]] = [run(periods[0])?, run(periods[1])?];
-        Some(head.into_iter().chain([most, own, rest, simple, late]).collect())
+        let run = |period| run(plain, start.course(told(given), period), None, hanging.period);
+        let [[most, rest], [_, other]] = [run(periods[0])?, run(periods[1])?];
+        Some(head.into_iter().chain([most, own, rest, late, simple, other]).collect())
     };
+    let rows = (1..).zip(Start::ALL).map(row).collect::<Option<Vec<_>>>()?;
+    let feedback = given.feedback.filter(|feedback| feedback.zeta > 0.0);
+    let last = feedback.and_then(|feedback| fed_back(fed, given, rows.len() + 1, feedback, [&hanging, &longer]));
     Some(Table {
         columns: RUN_COLUMNS[usize::from(given.swaying.is_some())].to_vec(),
-        rows: (1..).zip(Start::ALL).map(row).collect::<Option<_>>()?,
+        rows: rows.into_iter().chain(last).collect(),
     })
 }
 
-/// Greatest sway (rad) of a load that hangs at rest at the start, while the trolley is told an acceleration over time, and after that in a
-/// period (s); `None` of a run that does not come to its end.
-fn run<T: Described>(told: &Description<T>, course: Course, period: f64) -> Option<[f64; 2]> {
-    let mut other = told.clone();
-    let end = course.end();
-    other.courses = vec![(&s::A_T, course)];
-    let mut model = other.moving()?.ok()?;
-    let sway = model
-        .variables()
-        .iter()
-        .position(|variable| variable.symbol == &s::PHI_R)?;
-    model.start().ok()?;
-    let mut span = |from: f64, lasts: f64| {
-        (0..INSTANTS).try_fold(0.0_f64, |most, i| {
-            let at = |i: u32| from + lasts * f64::from(i) / f64::from(INSTANTS);
-            model.advance(at(i), at(i + 1)).ok()?;
-            Some(most.max(model.get(sway).ok()?.abs()))
+/// The plain start under feedback, as long as three pulses; on ropes of the scene, and on longer ones.
+fn fed_back<T: Described>(
+    what: &Description<T>,
+    given: &Given<f64>,
+    number: usize,
+    feedback: Feedback<f64>,
+    ropes: [&Suspended<f64>; 2],
+) -> Option<Vec<f64>> {
+    let [v_c, a_c] = told(given);
+    let [_, lasts] = Start::Robust.timed([v_c, a_c], ropes[0].period);
+    let course = Course {
+        rows: vec![[0.0, a_c], [v_c / a_c, 0.0]],
+        between: Between::Steps,
+        shaped: None,
+    };
+    let [most, rest] = run(what, course, Some(lasts), ropes[0].period)?;
+    let [[greatest, own], [_, late]] = ropes.map(|hanging| {
+        let steady = hanging.felt * a_c / *given.gravity;
+        small(hanging.felt * feedback.zeta, hanging, [v_c / a_c, lasts]).map(|part| steady * part)
+    });
+    Some(vec![
+        number as f64,
+        a_c,
+        lasts,
+        greatest,
+        most,
+        own,
+        rest,
+        late,
+        own,
+        rest,
+    ])
+}
+
+/// Greatest sway of the linear oscillator under feedback, over that which hangs back steadily: while its trolley is accelerated
+/// for a time and until another one (s), and in a period after that; by its equation of motion.
+fn small(zeta: f64, hanging: &Suspended<f64>, [pulse, lasts]: [f64; 2]) -> [f64; 2] {
+    let omega = hanging.frequency;
+    let rate = |push: f64, [sway, rate]: [f64; 2]| [rate, -omega * (2.0 * zeta * rate + omega * (sway + push))];
+    let plus = |a: [f64; 2], b: [f64; 2], h: f64| [a[0] + h * b[0], a[1] + h * b[1]];
+    let mut state = [0.0; 2];
+    let mut span = |time: f64, push: f64| {
+        let count = (time / hanging.period * STEPS).ceil().max(1.0);
+        let h = time / count;
+        (0..count as u32).fold(0.0_f64, |most, _| {
+            let k = rate(push, state);
+            let l = rate(push, plus(state, k, 0.5 * h));
+            let m = rate(push, plus(state, l, 0.5 * h));
+            let n = rate(push, plus(state, m, h));
+            let sum: [f64; 2] = std::array::from_fn(|i| k[i] + 2.0 * (l[i] + m[i]) + n[i]);
+            state = plus(state, sum, h / 6.0);
+            most.max(state[0].abs())
         })
     };
-    Some([span(0.0, end)?, span(end, period)?])
+    let [on, off] = [span(pulse, 1.0), span(lasts - pulse, 0.0)];
+    [on.max(off), span(hanging.period, 0.0)]
+}
+
+/// Greatest sway (rad) of a load that hangs at rest at the start, while the trolley is told an acceleration over time, to its
+/// end or to a later time (s), and after that in a period (s); `None` of a run that does not come to its end.
+fn run<T: Described>(what: &Description<T>, course: Course, until: Option<f64>, period: f64) -> Option<[f64; 2]> {
+    let end = until.unwrap_or_else(|| course.end());
+    let spans = ride(what, vec![(&s::A_T, course)], &[&s::PHI_R], &[end, end + period])?;
+    spans.iter().map(|span| most(span)).collect::<Vec<_>>().try_into().ok()
 }
 
 /// What starts leave on other lengths of the ropes that are made for the scene's: with the period of the four ropes, and with
@@ -112,13 +169,13 @@ pub(super) fn lengths(given: &Given<f64>) -> Vec<Section> {
                 id,
                 x: &s::L_R,
                 y: symbol,
-                pieces: (0..3)
+                pieces: (0..Start::ALL.len())
                     .map(|i| fine.iter().map(|(length, _, own)| [*length, own[i]]).collect())
                     .collect(),
-                numbers: vec![1, 2, 3],
+                numbers: vec![1, 2, 3, 4],
             }),
             table: Some(Table {
-                columns: vec![&s::L_R, &s::T_S, &s::RHO_P1, &s::RHO_P2, &s::RHO_P3],
+                columns: vec![&s::L_R, &s::T_S, &s::RHO_P1, &s::RHO_P2, &s::RHO_P3, &s::RHO_P4],
                 rows: rows
                     .map(|(length, period, own)| [&[length, period][..], &own].concat())
                     .collect(),
@@ -135,17 +192,14 @@ pub(super) fn steps_apart(given: &Given<f64>) -> Option<f64> {
     let (_, hanging) = on(given, 1.0)?;
     let apart = |start: Start| {
         let period = hanging.simple_period;
-        let (course, [rate, _]) = (
-            start.course(&given.profile, period),
-            start.timed(&given.profile, period),
-        );
+        let (course, [rate, _]) = (start.course(told(given), period), start.timed(told(given), period));
         let (mut before, mut sum) = (0.0, Point::new(0.0, 0.0));
         for [time, now] in course.rows {
             let (sin, cos) = Calc::sin_cos(hanging.frequency * time);
             sum += Point::new(cos, sin) * ((now - before) / rate);
             before = now;
         }
-        (sum.norm() - start.left(&given.profile, hanging.frequency, period)).abs()
+        (sum.norm() - start.left(told(given), hanging.frequency, period)).abs()
     };
     Some(Start::ALL.map(apart).into_iter().fold(0.0, f64::max))
 }

@@ -24,11 +24,15 @@
 //! | `bridge.wheels` | [`trolley::Grip::new`] | Coulomb |
 //! | `bridge.tow` | [`tow::TowRun::new`] | parabola; Hooke |
 //! | `bridge.suspension` | [`suspension::Suspended::new`], [`suspension::Skew::new`] | Lagrange |
+//! | `bridge.brakes` | [`brakes::Braking::new`], [`brakes::holds`] | Newton and Euler; Coulomb |
+//! | `bridge.list` | [`listing::Listing::new`] | equilibrium |
 //! | `bridge.profiles` | [`profiles::CycleTime::new`], [`profiles::Profiles::new`] | linear oscillator |
-//! | `bridge.motion` | [`swing::Swung::new`], [`swing::DriveInMotion::new`] | Lagrange |
+//! | `bridge.motion` | [`swing::swung`], [`swing::DriveInMotion::new`] | Lagrange |
 
+pub mod brakes;
 mod compared;
 pub mod given;
+pub mod listing;
 mod outline;
 pub mod profiles;
 pub mod scene;

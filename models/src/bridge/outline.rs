@@ -7,21 +7,24 @@ use crate::kernel::symbol::listed;
 
 pub const OUTLINE: Outline = Outline {
     inputs: chapters!(
-        bridge "", load "Q", bridge_tow "tow", bridge_wheels "driven", bridge_sheaves "sheaves", bridge_ropes "ropes",
+        bridge "", load "Q", bridge_tow "tow", bridge_wheels "driven", bridge_sheaves "sheaves", bridge_brakes "brakes", bridge_ropes "ropes",
         bridge_travel "profile", hook, motion, limits
     ),
     constants: &[
         ("bridge_suspension", &[Stage("hanging")]),
         ("bridge_skew", &[Stage("skew")]),
         ("bridge_profiles", &[Stage("profiles")]),
+        ("bridge_feedback", &[Stage("damped")]),
         ("bridge_cycle", &[Stage("cycle")]),
     ],
     sections: &[
         ("bridge_rails", &[Stage("weight"), Stage("rails")]),
+        ("bridge_list", &[Stage("listing")]),
         ("bridge_travel", &[Stage("passed"), Stage("forces")]),
-        ("bridge_motion", &[Stage("swung"), Stage("led")]),
+        ("bridge_motion", &[Stage("answer"), Stage("swung"), Stage("led")]),
         ("bridge_powers", &[Stage("powers")]),
         ("bridge_wheels", &[Stage("grip")]),
+        ("bridge_brakes", &[Stage("braking"), Stage("sliding")]),
         ("bridge_tow", &[Stage("towed")]),
     ],
     table: listed!(s: R_1, R_2, F_R, P_T, K_AD, T_1, T_2, F_1, F_2, NU),
@@ -40,7 +43,7 @@ pub const OUTLINE: Outline = Outline {
         Greatest::new(&s::NU_TOW_MIN, Most::Least, &s::NU),
         Greatest::new(&s::K_AD_MIN, Most::Least, &s::K_AD),
     ],
-    summary: listed!(s: T_CYC, L_E, K_OMEGA, PHI_P1, PHI_P2, PHI_P3, RHO_P1, RHO_P2, RHO_P3),
+    summary: listed!(s: T_CYC, NU_BR, S_BR, K_BR, BETA_L, L_E, K_OMEGA, PHI_P1, PHI_P2, PHI_P3, PHI_P4, RHO_P1, RHO_P2, RHO_P3, RHO_P4),
     sensitivity: listed!(s: F_RT_MAX, K_OMEGA, NU_TOW_MIN, K_AD_MIN),
     limits: &[
         Limit::at_most("bridge_cycle", &s::T_CYC),
@@ -49,6 +52,10 @@ pub const OUTLINE: Outline = Outline {
         Limit::at_most("bridge_sag", &s::F_TOW_MAX),
         Limit::at_least("bridge_rope", &s::NU_TOW_MIN),
         Limit::at_least("bridge_grip", &s::K_AD_MIN),
+        Limit::at_least("bridge_brake", &s::NU_BR),
+        Limit::at_most("bridge_stop", &s::S_BR),
+        Limit::at_least("bridge_sliding", &s::K_BR),
+        Limit::at_most("bridge_list", &s::BETA_L),
     ],
     uses: &[],
     forces: listed!(s: F_R, R_1, R_2, T_1, T_2),

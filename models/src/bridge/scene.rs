@@ -1,12 +1,13 @@
 //! The trolley of a container bridge as scenes describe it and books tell it.
 
+use crate::bridge::brakes::TrolleyBrakes;
 use crate::bridge::compared::{compared, four_bar, lengths, steps_apart};
 use crate::bridge::given::{BridgeTrolley, DrivenWheels, PassedSheaves, SheaveCount, TrolleyCommand};
 use crate::bridge::outline::OUTLINE;
 use crate::bridge::profiles::TravelProfile;
 use crate::bridge::stages::{ContainerBridge, Given};
 use crate::bridge::suspension::{FourRopes, RopesLength, Suspended};
-use crate::bridge::swing::{SwayingLoad, length};
+use crate::bridge::swing::length;
 use crate::bridge::symbols as s;
 use crate::bridge::tow::TowRope;
 use crate::component::description::{Described, Description, Vocabulary};
@@ -27,6 +28,8 @@ use crate::kernel::variable::Fault;
 use crate::parts::hanging;
 use crate::parts::motion::{Motion, short_step};
 use crate::parts::plane::Point;
+use crate::sway::pendulum::{self, Feedback, SwayingLoad};
+use crate::sway::scene::{arrange, unmoved};
 
 /// Kinds of trolleys, as scenes name them.
 pub const KINDS: [&str; 3] = ["rope", "semi_rope", "machinery"];
@@ -35,7 +38,7 @@ pub const KINDS: [&str; 3] = ["rope", "semi_rope", "machinery"];
 pub const KEYS: &[Key] = keys! { s:
     G_T > 0 [or_mass], G_S > 0 [or_mass], Q >= 0 [or_mass], MU_T >= 0 [usually(0.008)], P_W >= 0 [usually(0.0)],
     A_W >= 0 [usually(0.0)], GAMMA_B [usually(0.0)], ETA_D > 0 [usually(1.0)], N_W > 0 [usually(4.0)], S_B > 0,
-    A_T [over_time, optional], V_H [over_time, optional], X_T [optional], PHI_R [optional];
+    A_T [over_time, optional], V_H [over_time, optional], X_T [optional], PHI_R [optional], ZETA_F >= 0 [optional];
     Key::new(
         KIND,
         Kind::Choice(&KINDS),
@@ -51,6 +54,7 @@ pub const KEYS: &[Key] = keys! { s:
     Key::part("tow", TOW, "The tow rope of a rope trolley."),
     Key::part("driven", DRIVEN, "The driven wheels of a trolley with a travel drive of its own."),
     Key::part("sheaves", OVER, "The sheaves that the hoisting ropes pass as the trolley travels."),
+    Key::part("brakes", BRAKES, "The brakes of the trolley's travel; of driven wheels these are braked."),
     Key::table("ropes", ROPES, "The four ropes on which the spreader hangs."),
     Key::table("profile", PROFILE, "Speed, acceleration and way of the trolley."),
     Key::part("dynamics", DYNAMICS, "How the motion is solved."),
@@ -62,8 +66,8 @@ static TOW: &[Key] = keys! { s: T_0 > 0, Z_R > 0 [usually(2.0)], Q_R > 0, EA > 0
 static DRIVEN: &[Key] = keys! { s: N_DR > 0, MU_A > 0 [usually(0.14)] };
 static OVER: &[Key] =
     keys! { s: ETA_R > 0 [usually(0.98)]; Key::new("count", Kind::Count([1, 12]), "How many a rope passes.") };
-static ROPES: &[Key] =
-    keys! { s: L_R > 0, A_O > 0, A_U > 0, B_O > 0, B_U > 0, E_Q >= 0, I_Q > 0, I_Z > 0, D_Q [usually(0.0)] };
+static ROPES: &[Key] = keys! { s: L_R > 0, A_O > 0, A_U > 0, B_O > 0, B_U > 0, E_Q >= 0, I_Q > 0, I_Z > 0, D_Q [usually(0.0)], E_X [usually(0.0)] };
+static BRAKES: &[Key] = keys! { s: F_BR > 0 };
 static PROFILE: &[Key] = keys! { s: V_C > 0, A_C > 0, S_C > 0, T_E >= 0 [usually(0.0)] };
 static DYNAMICS: &[Key] = keys! { s: STEP > 0 };
 const MOTION: &[Key] = &Motion::keys(
@@ -74,10 +78,10 @@ const MOTION: &[Key] = &Motion::keys(
         "Speed of the trolley to the sea side, with which it passes through the working range.",
     ),
 );
-const LIMITS: &[Key] = &Limit::keys::<6>(OUTLINE.limits);
+const LIMITS: &[Key] = &Limit::keys::<10>(OUTLINE.limits);
 
 /// Keys that say something of the motion alone.
-const MOVING: [&str; 3] = ["x_t", "phi_R", "dynamics"];
+const MOVING: [&str; 4] = ["x_t", "phi_R", "zeta_f", "dynamics"];
 
 /// Longest step of the solver over the period of the sway, and the shortest that may be given over that.
 const LONGEST: f64 = 0.01;
@@ -122,14 +126,10 @@ fn suits(v: &Values, range: &Motion, moves: bool, found: &mut Vec<Diagnostic>) {
             _ => {}
         }
     }
-    let told = [&s::A_T, &s::V_H].map(|symbol| symbol.id).into_iter();
-    let own = MOVING.into_iter().filter(|key| v.has(key));
-    if let (false, Some(key)) = (moves, own.chain(told.filter(|key| v.course(key).is_some())).next()) {
-        let what = match v.course(key) {
-            Some(_) => format!("`{key}` over time of a trolley whose place is set"),
-            None => format!("`{key}` of a trolley whose place is set"),
-        };
-        found.push(v.refuse(key, what, "not used", "set fidelity = \"swing\", or remove it"));
+    if !moves {
+        let told = [&s::A_T, &s::V_H].map(|symbol| symbol.id).into_iter();
+        let own = MOVING.into_iter().chain(told.filter(|key| v.course(key).is_some()));
+        unmoved(v, own, "place", found);
     }
     let wheels = v.of(&s::N_W).unwrap_or_default();
     let own = v.table("driven").into_iter().map(|table| (table, &s::N_DR));
@@ -170,7 +170,7 @@ impl Described for BridgeScene {
     const FOLLOWED: &'static [&'static Symbol] = listed!(s: X_L, S_R, F_DR, P_DR);
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "bridge_symbol",
-        own: &[s::ALL],
+        own: &[s::ALL, pendulum::ALL],
         shared: &[hanging::ALL, gravity::ALL],
     };
 
@@ -209,9 +209,11 @@ impl Described for BridgeScene {
             over: v.part("sheaves", PassedSheaves::read)?,
             driven: v.part("driven", DrivenWheels::read)?,
             tow: v.part("tow", TowRope::read)?,
+            brakes: v.part("brakes", TrolleyBrakes::read)?,
             ropes,
             reeved: (!moves).then_some(reeved),
             profile: TravelProfile::read(profile?)?,
+            feedback: moves.then_some(Feedback { zeta: n(&s::ZETA_F) }),
             swaying: moves.then_some(SwayingLoad {
                 phi,
                 omega: 0.0,
@@ -237,6 +239,7 @@ impl Described for BridgeScene {
     fn set_level(&mut self, level: &str) {
         if level == "static" {
             let swaying = self.given.swaying.take();
+            self.given.feedback = None;
             self.given.reeved = self.given.reeved.or(swaying.map(|load| RopesLength { l: load.l }));
         }
     }
@@ -287,21 +290,11 @@ impl Described for BridgeScene {
         vec!["bridge_rest", "strength", "load_cases"]
     }
 
-    /// The sway at the start stands where the scene does not give it.
+    /// The sway at the start, and that there is no feedback, stand where the scene does not give them.
     fn arrange(&self, inputs: &mut Vec<Input>) {
-        let Some(load) = &self.given.swaying else { return };
-        load.map(&mut |symbol, value| {
-            if inputs.iter().all(|input| input.symbol != symbol) {
-                inputs.push(Input {
-                    symbol,
-                    value,
-                    number: None,
-                    chapter: "hook",
-                    given: None,
-                    usual: true,
-                });
-            }
-        });
+        if let Some((load, feedback)) = self.given.swaying.zip(self.given.feedback) {
+            arrange(inputs, &load, &feedback);
+        }
     }
 
     /// On one rope as long as the simple pendulum, where that is the ropes' own length.
@@ -379,9 +372,11 @@ impl Described for BridgeScene {
             .position(|section| section.id == "bridge_profiles");
         let after = place.map_or(sheet.constants.len(), |place| place + 1);
         if let Some(section) = place.and_then(|place| sheet.constants.get_mut(place)) {
-            let mut resting = this.clone();
-            resting.own.rest();
-            section.table = compared(&resting, &this.given);
+            let mut fed = this.clone();
+            fed.own.rest();
+            let mut plain = fed.clone();
+            plain.own.given.feedback = this.given.feedback.map(|_| Feedback { zeta: 0.0 });
+            section.table = compared([&plain, &fed], &this.given);
         }
         let own = lengths(&this.given);
         sheet.constants.splice(after..after, own);

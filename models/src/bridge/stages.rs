@@ -1,10 +1,12 @@
 //! The trolley of a container bridge as a component: what it is given, in which stages its equations follow from each other,
 //! how it moves.
 
+use crate::bridge::brakes::{Braking, TrolleyBrakes, holds};
 use crate::bridge::given::{BridgeTrolley, DrivenWheels, PassedSheaves, SheaveCount, TrolleyCommand};
+use crate::bridge::listing::Listing;
 use crate::bridge::profiles::{CycleTime, Profiles, TravelProfile};
 use crate::bridge::suspension::{FourRopes, RopesLength, Skew, Suspended};
-use crate::bridge::swing::{DriveInMotion, SwayingLoad, Swung, length};
+use crate::bridge::swing::{DriveInMotion, Travelling, answer, damped, length, swung, travelling};
 use crate::bridge::symbols as s;
 use crate::bridge::tow::{TowRope, TowRun};
 use crate::bridge::trolley::{BridgePowers, Grip, RailLoads, TravelForces, carried, sheaves};
@@ -12,6 +14,7 @@ use crate::component::part::{Component, Port, ports};
 use crate::component::stages::{Found, stages};
 use crate::kernel::group::One;
 use crate::kernel::symbol::{Symbol, listed};
+use crate::sway::pendulum::{Damped, Feedback, SwayingLoad, Swung};
 
 stages! {
     /// The trolley of a container bridge.
@@ -24,9 +27,11 @@ stages! {
         Parameter over: Option<PassedSheaves<C>>,
         Parameter driven: Option<DrivenWheels<C>>,
         Parameter tow: Option<TowRope<C>>,
+        Parameter brakes: Option<TrolleyBrakes<C>>,
         Parameter ropes: FourRopes<C>,
         Parameter reeved: Option<RopesLength<C>>,
         Parameter profile: TravelProfile<C>,
+        Parameter feedback: Option<Feedback<C>>,
         State swaying: Option<SwayingLoad<C>>,
         Fixed count: SheaveCount,
     } find {
@@ -36,13 +41,19 @@ stages! {
         cycle: CycleTime<C> = CycleTime::new(profile);
         profiles: Profiles<C> = Profiles::new(profile, gravity, hanging);
         weight: C = carried(unit, command) => W;
+        listing: Listing<C> = Listing::new(ropes, length, hanging, weight);
         rails: RailLoads<C> = RailLoads::new(unit, place, weight);
-        swung: Swung<C> = Swung::new(swaying[!], command, gravity, place, speed, weight, ropes, hanging);
+        damped: Damped<C> = damped(feedback[!], hanging);
+        answer: C = answer(feedback[!], swaying[!], command, gravity, hanging) => A_L;
+        travelling: Travelling<C> = travelling(swaying[!], speed, answer);
+        swung: Swung<C> = swung(swaying[!], command, gravity, place, weight, ropes, hanging, answer);
         passed: C = sheaves(over[!], count, weight) => F_S;
         forces: TravelForces<C> = TravelForces::new(unit, gravity, command, speed, weight, passed[?]);
-        led: DriveInMotion<C> = DriveInMotion::new(unit, gravity, command, speed, forces, swung);
+        led: DriveInMotion<C> = DriveInMotion::new(unit, gravity, speed, forces, swung, answer);
         powers: BridgePowers<C> = BridgePowers::new(unit, command, speed, weight, forces);
         grip: Grip<C> = Grip::new(driven[!], unit, gravity, weight, forces);
+        braking: Braking<C> = Braking::new(brakes[!], profile, unit, gravity, weight, forces);
+        sliding: C = holds(brakes[!], grip) => K_BR;
         towed: TowRun<C> = TowRun::new(tow[!], place, forces);
     }
 }

@@ -16,8 +16,8 @@ use crate::kernel::variable::Fault;
 
 quantities! {
     /// Four ropes: half distances on trolley and spreader along and across the beam, centre of gravity below the spreader's
-    /// joints and out of the middle, radii of gyration; all in m.
-    FourRopes { a_o: A_O, a_u: A_U, b_o: B_O, b_u: B_U, e_q: E_Q, i_q: I_Q, i_z: I_Z, d_q: D_Q }
+    /// joints and out of the middle, across and along the beam, radii of gyration; all in m.
+    FourRopes { a_o: A_O, a_u: A_U, b_o: B_O, b_u: B_U, e_q: E_Q, i_q: I_Q, i_z: I_Z, d_q: D_Q, e_x: E_X }
 }
 
 quantities! {
@@ -31,10 +31,10 @@ quantities! {
 pub struct Suspended<C> {
     insets: [C; 2],
     pub height: C,
-    turn: C,
+    pub turn: C,
     mass: C,
     kept: C,
-    back: C,
+    pub back: C,
     pub length: C,
     pub slope: C,
     pub felt: C,

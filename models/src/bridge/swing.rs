@@ -6,13 +6,9 @@ use crate::bridge::symbols as s;
 use crate::bridge::trolley::TravelForces;
 use crate::component::stages::results;
 use crate::kernel::calc::Calc;
-use crate::kernel::group::{One, quantities};
+use crate::kernel::group::One;
 use crate::parts::travel::{at_motor, sense};
-
-quantities! {
-    /// The load: its sway (rad) with the rate of that (rad/s), and the length of its ropes (m).
-    SwayingLoad { phi: PHI_R, omega: OMEGA_R, l: L_R }
-}
+use crate::sway::pendulum::{Damped, Feedback, HungLoad, SwayingLoad, Swung};
 
 /// Length of the ropes, in m: given, or a state.
 pub fn length<C: Calc>(ropes: &Option<RopesLength<C>>, swaying: &Option<SwayingLoad<C>>) -> C {
@@ -20,68 +16,52 @@ pub fn length<C: Calc>(ropes: &Option<RopesLength<C>>, swaying: &Option<SwayingL
     given.unwrap_or(C::constant(0.0))
 }
 
-/// Rates of the states, place of the load (m), force of the ropes and its part along the beam (N).
+/// The trolley follows its command: rates of its place and of its speed.
 #[derive(Clone, Copy, Debug)]
-pub struct Swung<C> {
-    reeling: C,
-    rates: [C; 5],
-    place: [C; 3],
-    force: C,
-    pull_along: C,
-}
-results! { Swung as w => {
-    D_L_E: w.reeling;
-    D_X_T: w.rates[0];
-    D_V_T: w.rates[1];
-    D_PHI_R: w.rates[2];
-    D_OMEGA_R: w.rates[3];
-    D_L_R: w.rates[4];
-    X_Q: w.place[0];
-    Y_Q: w.place[1];
-    X_L: w.place[2];
-    S_R: w.force;
-    F_PHI: w.pull_along;
-} }
+pub struct Travelling<C>([C; 2]);
+results! { Travelling as t => { D_X_T: t.0[0]; D_V_T: t.0[1]; } }
 
-impl<C: Calc> Swung<C> {
-    /// l φ̈ + 2 l̇ φ̇ + g sin φ = −ν_x a cos φ with the simple pendulum's length l_e; S = W(g cos φ + l φ̇² − a sin φ)/g. (Lagrange)
-    #[expect(clippy::too_many_arguments, reason = "all that moves it")]
-    pub fn new(
-        load: &SwayingLoad<C>,
-        command: &TrolleyCommand<C>,
-        gravity: &One<C>,
-        place: &One<C>,
-        speed: &One<C>,
-        weight: &C,
-        ropes: &FourRopes<C>,
-        hanging: &Suspended<C>,
-    ) -> Swung<C> {
-        let (sin, cos) = load.phi.sin_cos();
-        let length = hanging.length;
-        let reeling = (-hanging.slope * command.v_h).def(&s::D_L_E);
-        let coriolis = (reeling * load.omega).scaled(2.0);
-        let asked = coriolis + **gravity * sin + hanging.felt * command.a * cos;
-        let force = *weight * (**gravity * cos + length * load.omega.square() - command.a * sin) / **gravity;
-        let force = force.def(&s::S_R);
-        let forward = (length * sin).def(&s::X_Q);
-        Swung {
-            reeling,
-            rates: [
-                **speed,
-                command.a,
-                load.omega,
-                (-asked / length).def(&s::D_OMEGA_R),
-                -command.v_h,
-            ],
-            place: [
-                forward,
-                (length * (C::constant(1.0) - cos) - hanging.height - ropes.e_q).def(&s::Y_Q),
-                (**place + forward).def(&s::X_L),
-            ],
-            force,
-            pull_along: (force * sin).def(&s::F_PHI),
-        }
-    }
+/// With its speed (m/s) and acceleration (m/s²); of a load that sways.
+pub fn travelling<C: Calc>(_: &SwayingLoad<C>, speed: &One<C>, answer: &C) -> Travelling<C> {
+    Travelling([**speed, *answer])
+}
+
+/// What the trolley is told, and what it answers to the sway, in m/s².
+pub fn answer<C: Calc>(
+    feedback: &Feedback<C>,
+    load: &SwayingLoad<C>,
+    command: &TrolleyCommand<C>,
+    gravity: &One<C>,
+    hanging: &Suspended<C>,
+) -> C {
+    let reeling = -hanging.slope * command.v_h;
+    feedback.answer(command.a, load, **gravity, [hanging.length, reeling])
+}
+
+/// Small sway on the four ropes under feedback.
+pub fn damped<C: Calc>(feedback: &Feedback<C>, hanging: &Suspended<C>) -> Damped<C> {
+    Damped::new(feedback, hanging.frequency, Some(hanging.felt))
+}
+
+/// The load as it sways on its four ropes.
+#[expect(clippy::too_many_arguments, reason = "all that moves it")]
+pub fn swung<C: Calc>(
+    load: &SwayingLoad<C>,
+    command: &TrolleyCommand<C>,
+    gravity: &One<C>,
+    place: &One<C>,
+    weight: &C,
+    ropes: &FourRopes<C>,
+    hanging: &Suspended<C>,
+    answer: &C,
+) -> Swung<C> {
+    let pendulum = HungLoad {
+        length: hanging.length,
+        slope: hanging.slope,
+        felt: hanging.felt,
+        deep: hanging.height + ropes.e_q,
+    };
+    Swung::new(load, [*answer, command.v_h], gravity, **place, *weight, &pendulum)
 }
 
 /// The travel drive in motion: its force (N) and its motor's power (W).
@@ -94,13 +74,13 @@ impl<C: Calc> DriveInMotion<C> {
     pub fn new(
         unit: &BridgeTrolley<C>,
         gravity: &One<C>,
-        command: &TrolleyCommand<C>,
         speed: &One<C>,
         forces: &TravelForces<C>,
         swung: &Swung<C>,
+        answer: &C,
     ) -> DriveInMotion<C> {
-        let inertia = unit.g_t / **gravity * command.a - swung.pull_along;
-        let sense = sense(speed.value(), command.a.value());
+        let inertia = unit.g_t / **gravity * *answer - swung.pull_along;
+        let sense = sense(speed.value(), answer.value());
         let force = forces.with(inertia, sense).over(**speed).def(&s::F_DR);
         DriveInMotion([force, at_motor(force * **speed, unit.eta_d).def(&s::P_DR)])
     }

@@ -3,10 +3,10 @@
 pub use crate::kernel::gravity::G;
 use crate::kernel::symbol::{Range, symbols};
 pub use crate::parts::hanging::{L_R, PHI_R, S_R, X_Q, Y_Q};
+pub use crate::sway::pendulum::{A_L, D_L_R, D_OMEGA_R, D_PHI_R, D_V_T, D_X_T, DELTA_F, F_PHI, T_F, X_L, X_T, ZETA_F};
 
 symbols! {
     // Given.
-    X_T: "x_t" "x_\"t\"" M / M, "Place of the trolley on the beam, from the rail of the sea side; positive to the sea side.", "input";
     V_T: "v_t" "v_\"t\"" M_PER_S / M_PER_S, "Speed of the trolley; positive to the sea side.", "input";
     A_T: "a_t" "a_\"t\"" M_PER_S2 / M_PER_S2, "Acceleration of the trolley; positive to the sea side.", "input";
     FROM: "from" "x_a" M / M, "Place of the trolley at the start of the working range.", "input";
@@ -40,6 +40,8 @@ symbols! {
     I_Q: "i_q" "i_Q" M / M [positive], "Radius of gyration of spreader and container in the plane of the travel.", "input";
     I_Z: "i_z" "i_z" M / M [positive], "Radius of gyration of spreader and container about the vertical.", "input";
     D_Q: "d_q" "d_Q" M / M, "Distance of the centre of gravity of spreader and container from the middle, across the beam.", "input";
+    E_X: "e_x" "e_x" M / M, "Distance of the centre of gravity of spreader and container from the middle, along the beam to the sea side.", "input";
+    F_BR: "F_br" "F_\"br\"" N / KN [positive], "Force of the trolley's brakes at its wheels or its tow rope, all together.", "input";
     V_C: "v_c" "v_\"c\"" M_PER_S / M_PER_S [positive], "Speed that a start of the trolley comes to.", "input";
     A_C: "a_c" "a_\"c\"" M_PER_S2 / M_PER_S2 [positive], "Acceleration of a start.", "input";
     S_C: "s_c" "s_\"c\"" M / M [positive], "Way of the trolley from ship to quay.", "input";
@@ -62,6 +64,14 @@ symbols! {
     F_AD: "F_ad" "F_\"ad\"" N / KN, "Force that the driven wheels can give before they slip.", "Coulomb";
     K_AD: "k_ad" "k_\"ad\"" ONE / ONE [infinite("where the trolley asks for no force")], "Safety against slipping of the driven wheels.", "Coulomb";
     A_AD: "a_ad" "a_\"ad\"" M_PER_S2 / M_PER_S2, "Greatest acceleration of a start before the driven wheels slip.", "Coulomb";
+
+    F_DO: "F_do" "F_\"do\"" N / KN, "Force that drives a trolley on that is to stop: wind from behind and the slope, less its resistances.", "[Ports001, 7.4]";
+    F_BN: "F_bn" "F_\"bn\"" N / KN, "Force that a stop at the acceleration of a start asks of the brakes.", "Newton and Euler";
+    NU_BR: "nu_br" "nu_\"br\"" ONE / ONE [infinite("where the resistances alone stop it")], "Force of the brakes over that which a stop asks for.", "derived";
+    A_BR: "a_br" "a_\"br\"" M_PER_S2 / M_PER_S2, "Deceleration under all of the brakes' force.", "Newton and Euler";
+    T_BR: "t_br" "t_\"br\"" S / S, "Time of a stop under all of the brakes' force.", "derived";
+    S_BR: "s_br" "s_\"br\"" M / M, "Way of a stop under all of the brakes' force.", "derived";
+    K_BR: "k_br" "k_\"br\"" ONE / ONE, "Safety of the braked wheels against sliding.", "Coulomb";
 
     // The tow rope.
     T_1: "T_1" "T_1" N / KN, "Tension of a tow rope on the sea side.", "equilibrium";
@@ -89,6 +99,10 @@ symbols! {
     K_OMEGA: "k_omega" "k_omega" ONE / ONE, "The first of these frequencies over the second one.", "derived";
     T_S: "T_s" "T" S / S [positive], "Period of small sway on the four ropes.", "derived";
     T_G: "T_g" "T_\"g\"" S / S [positive], "Period of a simple pendulum on one rope as long.", "derived";
+    U_L: "u_l" "u_\"l\"" M / M, "Travel of the spreader's middle to the sea side, by a load out of the middle along the beam.", "equilibrium";
+    BETA_L: "beta_l" "beta_\"l\"" RAD / DEG, "List of the spreader; positive where its sea side hangs lower.", "equilibrium";
+    S_R1: "S_r1" "S_1" N / KN, "Pull of a rope of the load on the sea side.", "equilibrium";
+    S_R2: "S_r2" "S_2" N / KN, "Pull of a rope of the load on the land side.", "equilibrium";
     A_Z: "A_z" "A_z" M2 / M2, "Product of the ropes' arms about the vertical.", "derived";
     OMEGA_Z: "omega_z" "omega_z" RAD_PER_S / RAD_PER_S [positive], "Frequency of small skew: spreader and container turn about the vertical.", "Lagrange";
     T_Z: "T_z" "T_z" S / S [positive], "Period of small skew.", "derived";
@@ -109,19 +123,14 @@ symbols! {
     T_P3: "t_p3" "t_(\"p\" 3)" S / S, "Duration of the start by sixths: on, off, on for as long as it takes, off, on.", "equations of motion";
     PHI_P3: "phi_p3" "phi_(\"p\" 3)" RAD / DEG, "Greatest sway in the start by sixths: it hangs back steadily.", "equations of motion";
     RHO_P3: "rho_p3" "rho_(\"p\" 3)" RAD / DEG [not_negative], "Sway that the start by sixths leaves where it is made for another period: in the formula for the simple pendulum's.", "equations of motion";
+    A_P4: "a_p4" "a_(\"p\" 4)" M_PER_S2 / M_PER_S2, "Acceleration of the three pulses together, of which the middle one is as great as both others.", "[Singer1990, 76–82]";
+    T_P4: "t_p4" "t_(\"p\" 4)" S / S, "Duration of the three pulses, half a period apart.", "[Singer1990, 76–82]";
+    PHI_P4: "phi_p4" "phi_(\"p\" 4)" RAD / DEG, "Greatest sway in the three pulses.", "equations of motion";
+    RHO_P4: "rho_p4" "rho_(\"p\" 4)" RAD / DEG [not_negative], "Sway that the three pulses leave where they are made for another period: in the formula for the simple pendulum's.", "equations of motion";
 
     // In motion.
-    OMEGA_R: "omega_R" "omega_R" RAD_PER_S / DEG_PER_S, "Angular velocity of the sway.", "equations of motion";
-    F_PHI: "F_phi" "F_phi" N / KN, "Pull of the load on the trolley along the beam; positive to the sea side.", "equilibrium";
     F_DR: "F_dr" "F_\"dr\"" N / KN, "Force of the travel drive on a trolley whose load sways; positive to the sea side.", "Newton and Euler";
     P_DR: "P_dr" "P_\"dr\"" W / KW, "Power of the travel motor of a trolley whose load sways; negative where it brakes.", "derived";
-    X_L: "x_L" "x_L" M / M, "Place of the load along the beam, from the rail of the sea side.", "derived";
-    D_L_E: "d_l_e" "dot(l)_\"e\"" M_PER_S / M_PER_S, "Rate of the length of the simple pendulum.", "derived";
-    D_X_T: "der(x_t)" "dot(x)_\"t\"" M_PER_S / M_PER_S, "Rate of the trolley's place.", "state";
-    D_V_T: "der(v_t)" "dot(v)_\"t\"" M_PER_S2 / M_PER_S2, "Rate of the trolley's speed.", "state";
-    D_PHI_R: "der(phi_R)" "dot(phi)_R" RAD_PER_S / DEG_PER_S, "Rate of the sway.", "state";
-    D_OMEGA_R: "der(omega_R)" "dot(omega)_R" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of the sway.", "Lagrange";
-    D_L_R: "der(l_R)" "dot(l)_R" M_PER_S / M_PER_S, "Rate of the ropes' length.", "state";
 
     // The whole range.
     F_RT_MAX: "F_rt_max" "F_(\"r\",max)" N / KN, "Greatest force in the working range that the travel asks for, by amount.", "derived";
@@ -131,7 +140,7 @@ symbols! {
     F_TOW_MAX: "f_tow_max" "f_max" M / M, "Greatest sag of a tow rope in the working range.", "derived";
     NU_TOW_MIN: "nu_tow_min" "nu_min" ONE / ONE, "Least safety of a tow rope in the working range.", "derived";
     K_AD_MIN: "k_ad_min" "k_(\"ad\",min)" ONE / ONE [infinite("where the trolley asks for no force")], "Least safety against slipping in the working range.", "derived";
-    NUMBER: "number" "i" ONE / ONE, "Number of a profile: one pulse, two equal pulses, sixths of a period.", "input";
+    NUMBER: "number" "i" ONE / ONE, "Number of a start: one pulse, two equal pulses, sixths of a period, three pulses; plain under feedback.", "input";
     A_P: "a_p" "a_(\"p\" i)" M_PER_S2 / M_PER_S2, "Acceleration of a profile.", "equations of motion";
     T_P: "t_p" "t_(\"p\" i)" S / S, "Duration of a profile.", "equations of motion";
     PHI_P: "phi_p" "phi_(\"p\" i)" RAD / DEG, "Greatest sway in a profile.", "equations of motion";
@@ -140,5 +149,6 @@ symbols! {
     RHO_RUN: "rho_run" "rho_(\"run\" i)" RAD / DEG [not_negative], "The same in a run of the model.", "equations of motion";
     RHO_G: "rho_g" "rho_(\"g\" i)" RAD / DEG [not_negative], "Sway that a profile leaves which has the simple pendulum's period.", "equations of motion";
     RHO_G_RUN: "rho_g_run" "rho_(\"gr\" i)" RAD / DEG [not_negative], "The same in a run of the model.", "equations of motion";
+    RHO_LL: "rho_ll" "rho_(\"l\" i)" RAD / DEG [not_negative], "Sway that a profile leaves on ropes that are 10 % longer.", "equations of motion";
     AGREEMENT: "agreement" "delta" ONE / ONE, "Difference of two independent ways, relative to the largest value.", "derived";
 }

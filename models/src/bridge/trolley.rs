@@ -61,6 +61,12 @@ impl<C: Calc> TravelForces<C> {
         }
     }
 
+    /// What drives a trolley on that is to stop, in N: wind from behind and the slope, less wheels and sheaves.
+    pub fn drives_on(&self) -> C {
+        let [wheels, wind, slope, _] = self.parts;
+        wind + slope.abs() - wheels - self.passed
+    }
+
     /// The same with another force that accelerates, in N.
     pub fn with(&self, inertia: C, sense: f64) -> C {
         let [wheels, wind, slope, _] = self.parts;
@@ -115,7 +121,7 @@ impl<C: Calc> RailLoads<C> {
 /// Driven wheels: the force that they can give (N), their safety, the greatest acceleration of a start (m/s²).
 #[derive(Clone, Copy, Debug)]
 pub struct Grip<C> {
-    force: C,
+    pub force: C,
     safety: C,
     most: C,
 }

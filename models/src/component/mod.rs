@@ -23,6 +23,7 @@ pub mod over_time;
 pub mod part;
 pub mod peaks;
 pub mod probe;
+pub mod ride;
 pub mod running;
 pub mod scalar;
 pub mod sensitivity;

@@ -86,6 +86,14 @@ pub(super) fn read(
         let message = format!("`{path}`: the time {next} stands behind {first}");
         found.push(Diagnostic::new(place.clone(), message, "not later").help("let the times of its rows rise"));
     }
+    if let (Some(_), Some((_, value, place)), Some((symbol, _))) = (shaped, rows.first(), key.number()) {
+        // A place is where it was before; what changes it begins with a jump, of which one half must come later.
+        if *value != 0.0 && symbol.unit.dimension.s != 0 {
+            let message = format!("`{path}` is shaped, and begins with {}", symbol.written(*value));
+            let help = "begin with a row of zero, and let the first value come at a later time";
+            found.push(Diagnostic::new(place.clone(), message, "not halved: what comes before it is as it").help(help));
+        }
+    }
     let rows = rows.into_iter().map(|(time, value, _)| [time, value]).collect();
     let course = between.filter(|_| found.len() == before).map(|between| Course {
         rows,

@@ -25,15 +25,22 @@
 //! | `unloader.ropes` | [`ropes::TrolleyRopes::new`], [`ropes::wound`], [`ropes::drums_turn`] | Ports001, 5.8 |
 //! | `unloader.planetary` | [`planetary::differentials`], [`planetary::circulating`] | Ports001, 5.8.1; Willis |
 //! | `unloader.motors` | [`motors::MotorPowers::new`], [`motors::LiftedLoad::new`] | Ports001, 5.9 |
+//! | `unloader.sway` | [`sway::SwayOnWay::new`], [`sway::answer`], [`sway::swung`] | Lagrange; linear oscillator |
+//! | `unloader.programme` | [`foreseen::Foreseen::by_angle`] | Ports001, 5.10.2 |
 //! | `unloader.cycle` | [`cycle::PhaseForces::new`], [`cycle::GrabDuty::new`] | Ports001, 5.9.1 |
 
 pub mod cycle;
+pub mod foreseen;
 pub mod motors;
 mod outline;
+mod paths;
 pub mod planetary;
+pub mod programme;
 pub mod reeving;
 pub mod ropes;
 pub mod scene;
 pub mod stages;
+pub mod sway;
 pub mod symbols;
+mod tables;
 pub mod trolley;

@@ -7,11 +7,13 @@ use crate::unloader::symbols as s;
 
 pub const OUTLINE: Outline = Outline {
     inputs: chapters!(
-        unloader "", load "Q_n", unloader_drums "drums", unloader_phases "phases", motion, limits
+        unloader "", load "Q_n", unloader_drums "drums", unloader_phases "phases",
+        unloader_way "way", hook, motion, limits
     ),
     constants: &[
         ("unloader_phases", &[Stage("worked")]),
         ("unloader_duty", &[Stage("duty")]),
+        ("unloader_on_way", &[Stage("on_way"), Stage("damped")]),
     ],
     sections: &[
         ("unloader_trolley", &[Stage("weight"), Stage("resisting")]),
@@ -19,6 +21,7 @@ pub const OUTLINE: Outline = Outline {
         ("unloader_ropes", &[Stage("ropes")]),
         ("unloader_drums", &[Stage("turning")]),
         ("unloader_planetary", &[Stage("differentials"), Stage("circulating")]),
+        ("unloader_swung", &[Stage("answer"), Stage("swung")]),
         ("unloader_motors", &[Stage("motors")]),
         ("unloader_lifted", &[Stage("lifted")]),
     ],

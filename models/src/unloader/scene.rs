@@ -1,12 +1,14 @@
 //! A grab unloader as scenes describe it and books tell it.
 
-use std::f64::consts::PI;
+use std::f64::consts::TAU;
 
 use crate::component::description::{Described, Description, Vocabulary, possible};
 use crate::component::draw::Draw;
-use crate::component::mechanism::Entry;
+use crate::component::mechanism::{Entry, Solver};
+use crate::component::moving::MovingComponent;
+use crate::component::moving::smooth::SmoothPieces;
 use crate::component::outline::{Limit, Outline};
-use crate::component::sheet::{Check, Drawing, Section, Sheet, Table};
+use crate::component::sheet::{Check, Drawing, Input, Sheet};
 use crate::component::stages::Stages;
 use crate::component::standing::Standing;
 use crate::component::telling::{fine, numbered, sample};
@@ -16,21 +18,27 @@ use crate::kernel::group::One;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Kind, Values};
 use crate::kernel::symbol::{Symbol, listed};
+use crate::kernel::variable::Fault;
+use crate::parts::hanging;
 use crate::parts::motion::Motion;
 use crate::parts::plane::Point;
+use crate::sway::pendulum::{self, Feedback, SwayingLoad};
+use crate::sway::scene::arrange;
 use crate::unloader::cycle::GrabPhase;
 use crate::unloader::motors::DynamicFactor;
 use crate::unloader::outline::OUTLINE;
+use crate::unloader::paths::{LONGEST, MOVING, moves, ways};
 use crate::unloader::planetary::PlanetarySet;
 use crate::unloader::reeving::{Reeving, SCHEMES, Scheme};
-use crate::unloader::ropes::{RopeDrum, SlackRope, wound};
+use crate::unloader::ropes::{RopeDrum, SlackRope};
 use crate::unloader::stages::{Given, GrabUnloader};
+use crate::unloader::sway::{GrabPlace, GrabWay};
 use crate::unloader::symbols as s;
+use crate::unloader::tables::{DRUMS, apart_of, each, modes};
 use crate::unloader::trolley::{AuxiliaryTrolley, GrabCommand, GrabTrolley};
 
 /// Fewest phases of a cycle: a grab closes, rises and travels, empties itself, comes back; and the most.
 const PHASES: [usize; 2] = [4, 32];
-const DRUMS: usize = 4;
 
 /// Numbered results that the book shows of all phases, of all drums, and of their differentials.
 const PHASE_COLUMNS: &[&Symbol] = listed!(s: W_P, T_1P, T_2P, S_HP, S_CP, NU_P, P_HP, P_CP, P_TP);
@@ -39,10 +47,11 @@ const SET_COLUMNS: &[&Symbol] = listed!(s: N_S, N_R, N_D, T_S, T_R, P_S, P_R, P_
 
 /// Keys of `[grab_unloader]`.
 pub const KEYS: &[Key] = keys! { s:
-    G_G > 0 [or_mass], Q_N > 0 [or_mass], G_T > 0 [or_mass], V_H [usually(0.0)], V_C [usually(0.0)], K_Q >= 0 [usually(1.0)],
+    G_G > 0 [or_mass], Q_N > 0 [or_mass], G_T > 0 [or_mass], V_H [over_time, usually(0.0)], V_C [usually(0.0)], K_Q >= 0 [usually(1.0)],
     LAMBDA_C >= 0 [usually(0.5)], MU_T >= 0 [usually(0.008)], P_W >= 0 [usually(0.0)], A_W >= 0 [usually(0.0)],
     ETA_R > 0 [usually(0.98)], ETA_D > 0 [usually(1.0)], PHI_2_MIN > 0 [usually(1.1)], BETA_2 >= 0 [usually(0.34)],
-    T_0 > 0 [optional], G_A > 0 [or_mass, optional], K > 0 [optional], K_B > 0 [optional];
+    T_0 > 0 [optional], G_A > 0 [or_mass, optional], K > 0 [optional], K_B > 0 [optional], A_T [over_time, optional],
+    X_T [optional], PHI_R [optional], ZETA_F >= 0 [optional];
     Key::new(
         "scheme",
         Kind::Choice(&SCHEMES),
@@ -50,6 +59,14 @@ pub const KEYS: &[Key] = keys! { s:
          drums go with the trolley), \"auxiliary_trolley\" (one at half the speed keeps the length of the ropes), \
          \"middle_drum\" (the trolley's drum does).",
     ),
+    Key::choice(
+        "fidelity",
+        &["static", "swing"],
+        "How deep the unloader is modelled: \"static\" (the speed of the trolley is an input, the grab hangs straight down), \
+         \"swing\" (the trolley follows its acceleration, and its grab sways).",
+    ),
+    Key::part("way", WAY, "The way of the trolley from ship to hopper, on which the grab sways."),
+    Key::part("dynamics", DYNAMICS, "How the motion is solved."),
     Key::new("sheaves", Kind::Count([1, 12]), "Sheaves that a rope of the grab passes as the trolley travels."),
     Key::new("drums", Kind::Tables(DRUM, DRUMS), "The drums; planetary: hoisting sea side, hoisting land side, closing sea side, closing land side; else hoisting, closing, trolley."),
     Key::new("phases", Kind::Tables(PHASE, PHASES[1]), "The phases of a cycle, one after the other."),
@@ -57,6 +74,8 @@ pub const KEYS: &[Key] = keys! { s:
     Key::part("limits", LIMITS, "What results may come to at most, or at least.")
 };
 
+static WAY: &[Key] = keys! { s: L_R > 0, V_M > 0, A_M > 0, S_M > 0 };
+static DYNAMICS: &[Key] = keys! { s: STEP > 0 };
 static DRUM: &[Key] = keys! { s: D_D > 0, Z_R > 0 [usually(1.0)], F_B > 0 };
 static PHASE: &[Key] = keys! { s:
     T_P > 0, V_HP [usually(0.0)], V_CP [usually(0.0)], V_TP [usually(0.0)], A_TP [usually(0.0)], K_QP >= 0, LAMBDA_P >= 0 [usually(0.5)]
@@ -71,10 +90,23 @@ const MOTION: &[Key] = &Motion::keys(
 );
 const LIMITS: &[Key] = &Limit::keys::<5>(OUTLINE.limits);
 
+/// What the rates cost, in s.
+const COST: [f64; 2] = [0.15e-6, 0.0];
+
+/// Ropes that are longer than thought, over those.
+const LONGER: f64 = 1.1;
+
 /// A grab unloader as the scene describes it; SI.
 #[derive(Clone, Debug)]
 pub struct UnloaderScene {
+    /// At the start of the working range.
     given: Given<f64>,
+    /// Speed (m/s) and place (m) of the trolley, sway (rad), its rate (rad/s) and length of the ropes (m) at the start of its motion.
+    start: [f64; 5],
+    /// Acceleration that the trolley is told at the start of its motion, in m/s².
+    told: f64,
+    /// Longest step of the solver, in s.
+    step: f64,
 }
 
 /// As scenes describe it.
@@ -161,10 +193,11 @@ impl Described for UnloaderScene {
     const ID: &'static str = "unloader";
     const TABLE: &'static str = "grab_unloader";
     const OUTLINE: &'static Outline = &OUTLINE;
+    const FOLLOWED: &'static [&'static Symbol] = listed!(s: X_L, Y_Q, A_L);
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "unloader_symbol",
-        own: &[s::ALL],
-        shared: &[gravity::ALL],
+        own: &[s::ALL, pendulum::ALL],
+        shared: &[hanging::ALL, gravity::ALL],
     };
 
     fn read(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<(UnloaderScene, Motion)> {
@@ -173,13 +206,24 @@ impl Described for UnloaderScene {
         let name = v.text("scheme")?;
         let scheme = Scheme::ALL[SCHEMES.iter().position(|known| *known == name)?];
         suits(v, scheme, found);
+        moves(v, gravity, found);
         if found.len() > before {
             return None;
         }
+        // What stands is chosen by the greatest that the motion is told.
+        let mut command = GrabCommand::read(v)?;
+        command.v_h = v.greatest(s::V_H.id).unwrap_or(0.0);
+        let n = |symbol: &Symbol| v.number(symbol.id).unwrap_or(0.0);
+        let way = v
+            .table("way")
+            .and_then(|table| GrabWay::read(table).zip(table.of(&s::L_R)));
+        let length = way.map_or(0.0, |(_, length)| length);
+        let start = [0.0, n(&s::X_T), n(&s::PHI_R), 0.0, length];
+        let longest = LONGEST * TAU * (length / gravity).sqrt();
         let given = Given {
             travel: One(&s::V_T, range.from),
             rate: One(&s::A_T, range.speed),
-            command: GrabCommand::read(v)?,
+            command,
             unit: GrabTrolley::read(v)?,
             gravity: One(&s::G, gravity),
             slack: SlackRope::read(v),
@@ -188,12 +232,30 @@ impl Described for UnloaderScene {
             drums: v.tables("drums").iter().map(RopeDrum::read).collect::<Option<_>>()?,
             dynamic: DynamicFactor::read(v)?,
             phases: v.tables("phases").iter().map(GrabPhase::read).collect::<Option<_>>()?,
+            way: way.map(|(way, _)| way),
+            feedback: way.map(|_| Feedback { zeta: n(&s::ZETA_F) }),
+            place: way.map(|_| GrabPlace { x: start[1] }),
+            swaying: way.map(|_| SwayingLoad {
+                phi: start[2],
+                omega: 0.0,
+                l: length,
+            }),
             reeving: Reeving {
                 scheme,
                 sheaves: v.count("sheaves")? as u8,
             },
         };
-        Some((UnloaderScene { given }, range))
+        let own = v.table("dynamics").and_then(|table| table.of(&s::STEP));
+        let step = own.unwrap_or(longest);
+        Some((
+            UnloaderScene {
+                given,
+                start,
+                told: n(&s::A_T),
+                step,
+            },
+            range,
+        ))
     }
 
     fn given(this: &Description<UnloaderScene>) -> Given<f64> {
@@ -215,7 +277,65 @@ impl Described for UnloaderScene {
     }
 
     fn levels(&self) -> Vec<&'static str> {
-        vec!["static"]
+        let swings = self.given.swaying.map(|_| "swing");
+        std::iter::once("static").chain(swings).collect()
+    }
+
+    fn set_level(&mut self, level: &str) {
+        if level == "static" {
+            let Given {
+                way,
+                feedback,
+                place,
+                swaying,
+                ..
+            } = &mut self.given;
+            (*way, *feedback, *place, *swaying) = (None, None, None, None);
+        }
+    }
+
+    fn unused(&self, level: &str) -> Vec<(&'static str, &'static [&'static str])> {
+        match level {
+            "static" => vec![("grab_unloader", &MOVING), ("dynamics", &[])],
+            _ => Vec::new(),
+        }
+    }
+
+    fn moving(this: &Description<UnloaderScene>) -> Option<Result<MovingComponent, Fault>> {
+        this.given.swaying?;
+        Some(MovingComponent::new(this.standing(), |model| {
+            let rate = model.rate();
+            model.part_mut().put(rate, this.told);
+            Ok(Box::new(SmoothPieces::new(model, &this.start, this.step)?))
+        }))
+    }
+
+    fn solver(&self) -> Option<Solver> {
+        self.given.swaying.map(|_| Solver {
+            step: ("dynamics", &s::STEP),
+            tolerance: ("dynamics", &s::STEP),
+            longest: self.step,
+            explicit: true,
+            cost: COST,
+        })
+    }
+
+    /// What the motion starts from stands where the scene does not give it.
+    fn arrange(&self, inputs: &mut Vec<Input>) {
+        if let Some((load, feedback)) = self.given.swaying.zip(self.given.feedback) {
+            arrange(inputs, &load, &feedback);
+        }
+    }
+
+    fn hangs_on(this: &Description<UnloaderScene>) -> Option<[f64; 2]> {
+        this.given.swaying.map(|load| [load.l, *this.given.gravity])
+    }
+
+    fn hang(&mut self, length: f64) {
+        self.start[4] = length;
+        if let Some(load) = &mut self.given.swaying {
+            load.l = length;
+        }
     }
 
     /// The drums' powers against those of weight and travel; torques and speeds of the differentials; Willis.
@@ -262,11 +382,17 @@ impl Described for UnloaderScene {
             Scheme::AuxiliaryTrolley => "unloader_auxiliary_trolley",
             Scheme::MiddleDrum => "unloader_middle_drum",
         };
-        vec!["unloader_level_static", scheme, "unloader_ropes", "unloader_brake"]
+        let level = match this.given.swaying {
+            Some(_) => "unloader_level_swing",
+            None => "unloader_level_static",
+        };
+        vec![level, scheme, "unloader_ropes", "unloader_brake"]
     }
 
-    fn uncovered(_: &Description<UnloaderScene>) -> Vec<&'static str> {
-        vec!["unloader_sway", "strength", "load_cases"]
+    fn uncovered(this: &Description<UnloaderScene>) -> Vec<&'static str> {
+        let sway = this.given.swaying.is_none().then_some("unloader_sway");
+        let all = sway.into_iter().chain(["unloader_grab", "strength", "load_cases"]);
+        all.collect()
     }
 
     /// From the side: bridge, trolley with its ropes to both sides, grab.
@@ -311,6 +437,16 @@ impl Described for UnloaderScene {
     /// Speeds of the drums, tensions, pulls and powers by phase; the differentials by drum.
     fn more(this: &Description<UnloaderScene>, model: &mut Standing, sheet: &mut Sheet) {
         sheet.constants.insert(0, modes(&this.given));
+        if let Some(feedback) = this.given.feedback {
+            let mut plain = [this.clone(), this.clone()];
+            plain[1].own.hang(LONGER * this.start[4]);
+            let fed = plain.clone();
+            for told in &mut plain {
+                told.own.given.feedback = Some(Feedback { zeta: 0.0 });
+            }
+            let found = ways([&plain, &fed], &this.given, feedback.zeta > 0.0);
+            sheet.constants.extend(found.into_iter().flatten());
+        }
         for section in sheet
             .constants
             .iter_mut()
@@ -328,55 +464,5 @@ impl Described for UnloaderScene {
                 };
             }
         }
-    }
-}
-
-/// Sum of terms that cancel, over the greatest of them.
-fn apart_of(terms: &[f64]) -> f64 {
-    let size = terms.iter().map(|term| term.abs()).fold(f64::MIN_POSITIVE, f64::max);
-    terms.iter().sum::<f64>().abs() / size
-}
-
-/// Numbered results at a value of the coordinate: a row for each number.
-fn each(model: &mut Standing, columns: &[&'static Symbol], at: f64) -> Table {
-    let found: Vec<Vec<f64>> = columns.iter().map(|symbol| numbered(model, symbol, at)).collect();
-    let row = |i: usize| {
-        std::iter::once((i + 1) as f64)
-            .chain(found.iter().map(|values| values[i]))
-            .collect()
-    };
-    Table {
-        rows: (0..found[0].len()).map(row).collect(),
-        columns: std::iter::once(&s::NUMBER).chain(columns.iter().copied()).collect(),
-    }
-}
-
-/// Speeds of the drums with hoisting, closing, travelling alone, two at once, and all: each with its greatest speed in the cycle.
-fn modes(given: &Given<f64>) -> Section {
-    let greatest = |of: fn(&GrabPhase<f64>) -> f64| given.phases.iter().map(of).fold(0.0, f64::max);
-    let most = [
-        greatest(|phase| phase.v_h),
-        greatest(|phase| phase.v_c),
-        greatest(|phase| phase.v_t),
-    ];
-    let row = |which: u32| {
-        let speeds: [f64; 3] = std::array::from_fn(|i| if which >> i & 1 == 1 { most[i] } else { 0.0 });
-        let turns = (0..)
-            .zip(&given.drums)
-            .map(|(at, drum)| wound(given.reeving.scheme, speeds, at) / (PI * drum.d_d));
-        speeds.into_iter().chain(turns).collect()
-    };
-    let turns: [&Symbol; DRUMS] = [&s::N_1, &s::N_2, &s::N_3, &s::N_4];
-    Section {
-        id: "unloader_modes",
-        table: Some(Table {
-            columns: listed!(s: V_H, V_C, V_T)
-                .iter()
-                .chain(&turns[..given.drums.len()])
-                .copied()
-                .collect(),
-            rows: [1, 2, 4, 3, 5, 6, 7].map(row).to_vec(),
-        }),
-        ..Section::default()
     }
 }

@@ -2,6 +2,8 @@
 
 pub use crate::kernel::gravity::G;
 use crate::kernel::symbol::{Range, symbols};
+pub use crate::parts::hanging::{L_R, PHI_R, Y_Q};
+pub use crate::sway::pendulum::{A_L, D_L_R, D_OMEGA_R, D_PHI_R, D_V_T, D_X_T, X_L, X_T, ZETA_F};
 
 symbols! {
     // Given.
@@ -37,6 +39,10 @@ symbols! {
     A_TP: "a_tp" "a_(\"t\" i)" M_PER_S2 / M_PER_S2, "Acceleration of the trolley in a phase; positive to the sea side.", "input";
     K_QP: "k_qp" "k_(Q i)" ONE / PERCENT [from_to(0.0, 1.0)], "Contents of the grab over its full load in a phase.", "input";
     LAMBDA_P: "lambda_p" "lambda_i" ONE / PERCENT [from_to(0.0, 1.0), unconfirmed], "Part of the weight of grab and contents that the closing ropes bear in a phase.", "input";
+    V_M: "v_m" "v_\"m\"" M_PER_S / M_PER_S [positive], "Speed of the trolley on its way from ship to hopper.", "input";
+    A_M: "a_m" "a_\"m\"" M_PER_S2 / M_PER_S2 [positive], "Acceleration of the trolley at both ends of its way.", "input";
+    S_M: "s_m" "s_\"m\"" M / M [positive], "Way of the trolley from ship to hopper.", "input";
+    STEP: "step" "h" S / S [positive], "Longest step of the solver.", "input";
 
     // The trolley.
     W: "W" "W" N / KN, "Weight of grab and contents.", "equilibrium";
@@ -87,6 +93,20 @@ symbols! {
     PHI_2: "phi_2" "phi_2" ONE / ONE, "Dynamic factor of the lifted load.", "[Ports001, 5.9.3]";
     W_2: "W_2" "W_2" N / KN, "Weight of grab and contents with the dynamic factor.", "[Ports001, 5.9.3]";
 
+    // Sway of the grab.
+    OMEGA_G: "omega_g" "omega_\"g\"" RAD_PER_S / RAD_PER_S [positive], "Frequency of small sway of the grab.", "equations of motion";
+    T_G: "T_g" "T_\"g\"" S / S [positive], "Period of small sway of the grab.", "equations of motion";
+    PHI_ST: "phi_st" "phi_\"st\"" RAD / DEG [not_negative], "Sway by which the grab hangs back steadily at the acceleration of the way.", "equations of motion";
+    RHO_PL: "rho_pl" "rho_\"pl\"" RAD / DEG [not_negative], "Sway that a plain start leaves.", "equations of motion";
+    T_PL: "t_pl" "t_\"pl\"" S / S, "Time of the way, plain.", "derived";
+    T_PR: "t_pr" "t_\"pr\"" S / S, "Time of the way that is programmed by sixths of the period.", "[Ports001, 5.10]";
+    T_WAY: "t_way" "t_i" S / S, "Time of a way, of feedback with one period of the sway after it.", "equations of motion";
+    PHI_WAY: "phi_way" "phi_i" RAD / DEG [not_negative], "Greatest sway on a way.", "equations of motion";
+    RHO_WAY: "rho_way" "rho_i" RAD / DEG [not_negative], "Greatest sway in a period after a way.", "equations of motion";
+    RHO_LL: "rho_ll" "rho_(\"l\" i)" RAD / DEG [not_negative], "The same of ropes that are 10 % longer than thought.", "equations of motion";
+    T_PG: "t_pg" "t" S / S, "Time since the start of the way.", "derived";
+    A_PG: "a_pg" "a_\"pg\"" M_PER_S2 / M_PER_S2, "Acceleration of the programme by the predicted angle, from this time on; positive to the sea side.", "[Ports001, 5.10.2]";
+
     // Phases of the cycle.
     W_P: "W_p" "W_i" N / KN, "Weight of grab and contents in a phase.", "equilibrium";
     F_RP: "F_rp" "F_(\"r\" i)" N / KN, "Force that the travel of the trolley asks for in a phase; positive to the sea side.", "[Ports001, 7.5]";
@@ -119,6 +139,6 @@ symbols! {
     N_2: "n_2" "n_2" PER_S / PER_MIN, "Speed of drum 2.", "[Ports001, 5.8]";
     N_3: "n_3" "n_3" PER_S / PER_MIN, "Speed of drum 3.", "[Ports001, 5.8]";
     N_4: "n_4" "n_4" PER_S / PER_MIN, "Speed of drum 4.", "[Ports001, 5.8]";
-    NUMBER: "number" "i" ONE / ONE, "Number of a phase, of a drum.", "input";
+    NUMBER: "number" "i" ONE / ONE, "Number of a phase, of a drum, of a way.", "input";
     AGREEMENT: "agreement" "delta" ONE / ONE, "Difference of two independent ways, relative to the largest value.", "derived";
 }
