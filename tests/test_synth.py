@@ -224,6 +224,27 @@ def test_what_can_be_had_of_one_for_the_other(tmp_path):
         assert abs(value / float(row[head]) - 1) < 1e-5, key
 
 
+@pytest.mark.parametrize(["language", "chapter", "decimal"], [
+    ("en", "Synthesis", "."), ("zh", "参数综合", "."), ("bg", "Синтез", ","),
+])
+def test_the_book_tells_the_search(tmp_path, language, chapter, decimal):
+    """Quantities with their bounds, and results before and after; a scene that was not searched says so."""
+    open_one = tmp_path / "open"
+    lemnis("book", "--format", "typ", "--language", language, "--output", open_one, SCENES / "rope_luffing.toml")
+    words = tomllib.loads((ROOT / f"templates/words/{language}/search.toml").read_text(encoding="utf-8"))["search"]
+    assert words["open"] in typst(open_one / "RopeLuffing.typ")
+    lemnis("synth", SCENES / "rope_luffing.toml", "--output", tmp_path)
+    lemnis("book", "--format", "typ", "--language", language, "--output", tmp_path, tmp_path / "RopeLuffing_synth.toml")
+    book = typst(tmp_path / "RopeLuffing_synth.typ")
+    told = book[re.search(rf"^= \S+ {chapter}$", book, re.MULTILINE).start():].split("\n= ")[0]
+    assert words["open"] not in told
+    # Before the search the tackle ends at (-4.5 m, 13 m); what is said of that is what its own scene says.
+    before = lemnis("check", SCENES / "rope_luffing.toml")
+    pull = re.search(r"^  T_max +([\d.]+)", before, re.MULTILINE)[1]
+    for number in ("13 thin", f"{float(pull):.4g} thin".replace(".", decimal)):
+        assert number in told, number
+
+
 def test_fit(tmp_path):
     """X_7 and X_8 of the default scene from its published table, to micrometres; the table stays."""
     given = (SCENES / "lemniscate.toml").read_text(encoding="utf-8")

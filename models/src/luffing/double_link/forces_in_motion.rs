@@ -15,7 +15,7 @@ use crate::luffing::double_link::symbols as g;
 use crate::luffing::moving::balance_in_motion::BalanceInMotion;
 use crate::luffing::moving::dynamics::Coordinate;
 use crate::luffing::moving::level::{CraneAt, Level};
-use crate::luffing::moving::shares::{Instant, Shares};
+use crate::luffing::moving::shares::Instant;
 use crate::parts::plane::Point;
 
 /// Forces in motion, in N; moments in N·m.
@@ -80,17 +80,9 @@ impl<C: Calc> ForcesInMotion<C> {
     /// How far the moment on the driving link by equilibrium is from that of drive, friction and end stop, and the
     /// greatest of what they are made of; `None` where bars lie in one line.
     pub fn apart(&self) -> Option<[f64; 2]> {
-        let Shares {
-            drive,
-            dry,
-            viscous,
-            stop,
-            ..
-        } = &self.at.shares;
         let PinsInMotion { on_jib, lift, .. } = self.pins.as_ref()?;
-        let acting = *drive + *dry + *viscous + *stop;
-        let sizes = [*drive, *dry, *viscous, *stop, on_jib.m_d];
-        let greatest = sizes.iter().fold(*lift, |most, size| most.max(size.value().abs()));
+        let (acting, greatest) = self.at.shares.acting();
+        let greatest = greatest.max(*lift).max(on_jib.m_d.value().abs());
         Some([(on_jib.m_d - acting).value().abs(), greatest])
     }
 

@@ -16,6 +16,8 @@ pub struct Shares<C> {
     pub stop: C,
     /// Force of a cylinder, push positive, in N.
     pub push: Option<C>,
+    /// By what the drive's line carries less than the motor gives, where the motor's shaft has inertia.
+    pub lag: Option<C>,
 }
 
 impl<C: Calc> Shares<C> {
@@ -32,6 +34,7 @@ impl<C: Calc> Shares<C> {
             viscous: -(C::of(friction.viscous) * omega),
             stop: zero,
             push: None,
+            lag: None,
         };
         let shares = match bar {
             Bar::Forward => moving(motor - brake, -coulomb),
@@ -51,6 +54,7 @@ impl<C: Calc> Shares<C> {
                     viscous: zero,
                     stop,
                     push: None,
+                    lag: None,
                 }
             }
         };
@@ -62,10 +66,25 @@ impl<C: Calc> Shares<C> {
         match lag {
             Some(lag) => Shares {
                 drive: self.drive + lag,
+                lag: Some(lag),
                 ..self
             },
             None => self,
         }
+    }
+
+    /// The moment on the driving link (N·m), and the greatest of what it is made of.
+    pub fn acting(&self) -> (C, f64) {
+        let Shares {
+            drive,
+            dry,
+            viscous,
+            stop,
+            ..
+        } = *self;
+        let parts = [drive, dry, viscous, stop].into_iter().chain(self.lag);
+        let greatest = parts.fold(0.0, |most: f64, part| most.max(part.value().abs()));
+        (drive + dry + viscous + stop, greatest)
     }
 
     /// For the book.

@@ -22,7 +22,7 @@ use crate::luffing::moving::given::{Constants, Fitted};
 use crate::luffing::moving::inertia_forces::weight_and_inertia;
 use crate::luffing::moving::level::{CraneAt, Level};
 use crate::luffing::moving::reduced::{Asked, CoordinateNames, Reduced, Reduces, Renewed};
-use crate::luffing::moving::shares::{Instant, Shares};
+use crate::luffing::moving::shares::Instant;
 use crate::luffing::moving::stages::{CraneMoves, open, present};
 use crate::luffing::moving::symbols as s;
 use crate::luffing::moving::weighed::{Balanceable, MovedBalance, Weighing, Weight};
@@ -189,17 +189,10 @@ impl<C: Calc> Acting<C> {
     /// greatest of what they are made of: of forces (N) on arms (m) what they have at most.
     #[must_use]
     pub fn apart<const N: usize>(&self, asked: C, levers: [[Point<C>; 2]; N]) -> [f64; 2] {
-        let Shares {
-            drive,
-            dry,
-            viscous,
-            stop,
-            ..
-        } = self.at.shares;
-        let own = [drive, dry, viscous, stop, asked].map(|size| size.value().abs());
+        let (acting, greatest) = self.at.shares.acting();
         let most = levers.map(|lever| lever.map(|of| plane::length(of.map(C::value))));
-        let sizes = own.into_iter().chain(most.map(|[arm, force]| arm * force));
-        let acting = drive + dry + viscous + stop;
+        let sizes = most.into_iter().map(|[arm, force]| arm * force);
+        let sizes = sizes.chain([greatest, asked.value().abs()]);
         let lift = self.balance.map_or(0.0, |balance| balance.lift);
         [(asked - acting).value().abs(), sizes.fold(lift, f64::max)]
     }
