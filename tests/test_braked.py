@@ -12,7 +12,7 @@ from fmpy.fmi3 import FMU3Model
 from fmpy.validation import validate_fmu
 from scipy.integrate import solve_ivp
 
-from conftest import ROOT
+from conftest import ROOT, lemnis
 from oracles import luffing_resistances as oracle
 from test_commands import ENDS, Stepped, course, same_bits, written
 
@@ -160,6 +160,20 @@ def test_a_short_stop_comes_near_its_closed_form(crane, tmp_path):
         assert still == 0.0 and end > at
         apart.append(abs((end - at) / closed - 1))
     assert apart[0] < 0.2 and apart[1] < 0.12 * apart[0] and apart[2] < 0.12 * apart[1] + 1e-9, apart
+
+
+def test_a_base_that_could_slew_changes_nothing(crane, tmp_path):
+    """The same stop where the crane stands on a slewing ring at rest; slewing, its book's identities hold."""
+    ring = '\n[slewing]\nJ_sl = "5000 t.m2"\n'
+    expected, _ = crane.run(CALLED, BRAKES, TIMES)
+    run = simulate_fmu(written(tmp_path, "Ring", commanded("Ring") + ring)["FMI 3"], stop_time=TIMES[-1], output_interval=0.1,
+                       relative_tolerance=1e-10, output=["theta_1", "omega_1", "psi_sl"], record_events=False)
+    found = np.array([[row["theta_1"], row["omega_1"]] for row in run])
+    assert (np.abs(found - expected) <= 1e-6 * np.abs(expected - expected[0]).max(axis=0)).all()
+    assert not any(row["psi_sl"] for row in run)
+    ready = (SCENES / "portal_004_braked.toml").read_text(encoding="utf-8")
+    (tmp_path / "slews.toml").write_text(ready + ring + 'c_sl = "10 kN.m.s"\nomega_sl = "5 deg/s"\n', encoding="utf-8")
+    assert "identities that hold" in lemnis("check", tmp_path / "slews.toml")
 
 
 @pytest.mark.parametrize("standard", ENDS)

@@ -366,7 +366,7 @@ fn a_balance_in_motion_keeps_power_and_equilibrium() {
                     viscous: 0.0,
                     stop: 0.0,
                     push: None,
-                    lag: None,
+                    lag: 0.0,
                 };
                 let at = Instant {
                     omega,

@@ -298,7 +298,7 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
             viscous,
             stop: stop.unwrap_or(zero),
             push: Some(push),
-            lag: None,
+            lag: 0.0,
         };
         shares.named()
     }

@@ -73,9 +73,13 @@ impl<C: Calc> MotorShaft<C> {
         }
     }
 
-    /// Moment of its inertia on the driving link (N·m), which turns at a rate (rad/s) with an acceleration (rad/s²).
-    pub fn lags(&self, omega: C, alpha: C) -> C {
-        (-(self.inertia * alpha + C::constant(0.5) * self.slope * omega.square())).def(&s::M_IM)
+    /// Moment of its inertia on the driving link (N·m), which turns at a rate (rad/s) with an acceleration (rad/s²), and the
+    /// greatest of what that is made of.
+    pub fn lags(&self, omega: C, alpha: C) -> (C, f64) {
+        let parts = [self.inertia * alpha, C::constant(0.5) * self.slope * omega.square()];
+        let [quickens, bends] = parts;
+        let most = parts.map(|part| part.value().abs()).into_iter().fold(0.0, f64::max);
+        ((-(quickens + bends)).def(&s::M_IM), most)
     }
 }
 

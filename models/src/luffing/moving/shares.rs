@@ -16,8 +16,8 @@ pub struct Shares<C> {
     pub stop: C,
     /// Force of a cylinder, push positive, in N.
     pub push: Option<C>,
-    /// By what the drive's line carries less than the motor gives, where the motor's shaft has inertia.
-    pub lag: Option<C>,
+    /// The greatest that the inertia of the motor's shaft asks for, as a moment on the driving link.
+    pub lag: f64,
 }
 
 impl<C: Calc> Shares<C> {
@@ -34,7 +34,7 @@ impl<C: Calc> Shares<C> {
             viscous: -(C::of(friction.viscous) * omega),
             stop: zero,
             push: None,
-            lag: None,
+            lag: 0.0,
         };
         let shares = match bar {
             Bar::Forward => moving(motor - brake, -coulomb),
@@ -54,19 +54,20 @@ impl<C: Calc> Shares<C> {
                     viscous: zero,
                     stop,
                     push: None,
-                    lag: None,
+                    lag: 0.0,
                 }
             }
         };
         shares.named()
     }
 
-    /// What the line of the drive carries where a motor lags behind by its inertia, with a moment on the driving link (N·m).
-    pub fn less(self, lag: Option<C>) -> Shares<C> {
+    /// What the line of the drive carries where a motor lags behind by its inertia, with a moment on the driving link and the
+    /// greatest of what that is made of (N·m).
+    pub fn less(self, lag: Option<(C, f64)>) -> Shares<C> {
         match lag {
-            Some(lag) => Shares {
-                drive: self.drive + lag,
-                lag: Some(lag),
+            Some((moment, lag)) => Shares {
+                drive: self.drive + moment,
+                lag,
                 ..self
             },
             None => self,
@@ -80,10 +81,11 @@ impl<C: Calc> Shares<C> {
             dry,
             viscous,
             stop,
+            lag,
             ..
         } = *self;
-        let parts = [drive, dry, viscous, stop].into_iter().chain(self.lag);
-        let greatest = parts.fold(0.0, |most: f64, part| most.max(part.value().abs()));
+        let parts = [drive, dry, viscous, stop].into_iter();
+        let greatest = parts.fold(lag, |most, part| most.max(part.value().abs()));
         (drive + dry + viscous + stop, greatest)
     }
 

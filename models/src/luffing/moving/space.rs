@@ -94,10 +94,10 @@ impl<P: Calc> Hangs<STATES, 2, P> for Slewing<P> {
     }
 
     fn accelerations<C: Coordinate<P>>(&self, at: &Snapshot<STATES, 2, C>) -> Accelerations<C, 2> {
-        let Snapshot { state, r, y, commands } = *at;
+        let Snapshot { state, r, y, .. } = *at;
         let moment = |i: usize| {
-            let drive = &commands.drives[i];
-            let resistance = self.joints[i].over().resistance(state.joints[i], y[2 * i + 1], drive);
+            let drive = self.drive(i, at);
+            let resistance = self.joints[i].over().resistance(state.joints[i], y[2 * i + 1], &drive);
             drive.moment + resistance.def([&s::M_R, &s::M_R_SL][i])
         };
         let free = state.joints.map(|joint| joint != Bar::Held);

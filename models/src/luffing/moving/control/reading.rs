@@ -8,6 +8,9 @@ use crate::luffing::moving::given::Inputs;
 use crate::parts::control::reading::TABLE;
 use crate::parts::control::{Latched, SpeedControl, taken};
 
+/// Cycles are one that differ by less than this part of them: other units are rounded otherwise.
+const SAME: f64 = 1e-12;
+
 /// Controllers with their commands.
 #[derive(Clone, Copy, Debug)]
 pub struct Controllers {
@@ -28,7 +31,8 @@ impl Controllers {
             let Some((own, command)) = SpeedControl::read(axis, table, drive)? else {
                 continue;
             };
-            if let Some(known) = first.filter(|known| known.cycle() != own.cycle()) {
+            let other = |known: &SpeedControl| (known.cycle() - own.cycle()).abs() > SAME * own.cycle();
+            if let Some(known) = first.filter(other) {
                 let [of, than] = [&own, &known].map(|it| it.axis.settings[2]);
                 let what = format!(
                     "{} = {} beside {} = {}",
