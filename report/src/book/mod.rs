@@ -38,7 +38,7 @@ use crate::book::notation::{Entry, Notation};
 use crate::book::search::{Search, search};
 use crate::book::steps::{Position, Section};
 use crate::book::study::Study;
-use crate::book::synthesis::{Synthesis, spread, synthesis};
+use crate::book::synthesis::{Spread, Synthesis, spread, synthesis};
 use crate::book::tables::{Changes, Chapter, Demand, Published, Sensitivity, View, Written};
 use crate::book::title::Title;
 use crate::book::trade::Trade;
@@ -236,6 +236,19 @@ fn cycled(numbers: &Numbers, sheet: &Sheet, chapters: &[&str], notation: &mut No
     shown.map(|cycle| Cycle::new(numbers, cycle, notation))
 }
 
+/// What tolerances do to the scene's own balance, and the comparison with others, where that is shown.
+fn compared(
+    numbers: &Numbers,
+    scene: &Scene,
+    shown: bool,
+    notation: &mut Notation,
+) -> (Option<Spread>, Option<Synthesis>) {
+    let comparison = Comparison::new(scene);
+    let own = comparison.as_ref().and_then(|comparison| spread(numbers, comparison));
+    let all = comparison.filter(|_| shown);
+    (own, all.and_then(|all| synthesis(numbers, scene, &all, notation)))
+}
+
 impl<'a> Book<'a> {
     fn new(scene: &'a Scene, sheet: &'a Sheet, edition: &Edition<'a>, format: Format) -> Result<Book<'a>, Error> {
         let numbers = &precision::numbers(edition.language, scene.book.digits, sheet);
@@ -265,10 +278,7 @@ impl<'a> Book<'a> {
         notation.meet_results(sheet, &chapters);
         notation.meet_formulas(sheet, &chapters);
         let has = |chapter| chapters.contains(&chapter);
-        let comparison = Comparison::new(scene);
-        let spread = comparison.as_ref().and_then(|comparison| spread(numbers, comparison));
-        let comparison = comparison.filter(|_| has("synthesis"));
-        let synthesis = comparison.and_then(|comparison| synthesis(numbers, scene, &comparison, &mut notation));
+        let (spread, synthesis) = compared(numbers, scene, has("synthesis"), &mut notation);
         let search = has("search").then(|| search(numbers, scene, &mut notation)).flatten();
         let trade = (has("trade").then(|| Trade::new(numbers, scene, &mut notation))).transpose()?;
         let drawing = drawing(&sheet.drawing, SKETCH);
