@@ -16,7 +16,7 @@ quantities! {
 
 /// Force that drives it on, and that a stop asks for (N), that of the brakes over it, deceleration (m/s²), time (s) and way (m) of a stop.
 #[derive(Clone, Copy, Debug)]
-pub struct Braking<C> {
+pub struct TrolleyBraking<C> {
     drives: C,
     asked: C,
     safety: C,
@@ -24,7 +24,7 @@ pub struct Braking<C> {
     time: C,
     way: C,
 }
-results! { Braking as b => {
+results! { TrolleyBraking as b => {
     F_DO: b.drives;
     F_BN: b.asked;
     NU_BR: b.safety;
@@ -33,7 +33,7 @@ results! { Braking as b => {
     S_BR: b.way;
 } }
 
-impl<C: Calc> Braking<C> {
+impl<C: Calc> TrolleyBraking<C> {
     /// F_bn = (G_t + W) a_c/g + F_drive, a_br = g (F_br − F_drive)/(G_t + W) with what drives it on, F_w + |F_γ| − F_μ − F_s: wind
     /// from behind, down the slope; t = v_c/a_br, s = v_c²/(2 a_br). (Newton and Euler)
     ///
@@ -46,7 +46,7 @@ impl<C: Calc> Braking<C> {
         gravity: &One<C>,
         weight: &C,
         forces: &TravelForces<C>,
-    ) -> Result<Braking<C>, Fault> {
+    ) -> Result<TrolleyBraking<C>, Fault> {
         let borne = unit.g_t + *weight;
         let drives = forces.drives_on().def(&s::F_DO);
         let asked = (borne * profile.a_c / **gravity + drives).def(&s::F_BN);
@@ -56,7 +56,7 @@ impl<C: Calc> Braking<C> {
             return Err(Fault::outside(message).about(&s::F_BR));
         }
         let rate = (**gravity * (brakes.f_br - drives) / borne).def(&s::A_BR);
-        Ok(Braking {
+        Ok(TrolleyBraking {
             drives,
             asked,
             safety: match asked.value() > 0.0 {

@@ -24,7 +24,7 @@
 //! | `bridge.wheels` | [`trolley::Grip::new`] | Coulomb |
 //! | `bridge.tow` | [`tow::TowRun::new`] | parabola; Hooke |
 //! | `bridge.suspension` | [`suspension::Suspended::new`], [`suspension::Skew::new`] | Lagrange |
-//! | `bridge.brakes` | [`brakes::Braking::new`], [`brakes::holds`] | Newton and Euler; Coulomb |
+//! | `bridge.brakes` | [`brakes::TrolleyBraking::new`], [`brakes::holds`] | Newton and Euler; Coulomb |
 //! | `bridge.list` | [`listing::Listing::new`] | equilibrium |
 //! | `bridge.profiles` | [`profiles::CycleTime::new`], [`profiles::Profiles::new`] | linear oscillator |
 //! | `bridge.motion` | [`swing::swung`], [`swing::DriveInMotion::new`] | Lagrange |

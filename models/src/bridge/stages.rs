@@ -1,7 +1,7 @@
 //! The trolley of a container bridge as a component: what it is given, in which stages its equations follow from each other,
 //! how it moves.
 
-use crate::bridge::brakes::{Braking, TrolleyBrakes, holds};
+use crate::bridge::brakes::{TrolleyBrakes, TrolleyBraking, holds};
 use crate::bridge::given::{BridgeTrolley, DrivenWheels, PassedSheaves, SheaveCount, TrolleyCommand};
 use crate::bridge::listing::Listing;
 use crate::bridge::profiles::{CycleTime, Profiles, TravelProfile};
@@ -52,7 +52,7 @@ stages! {
         led: DriveInMotion<C> = DriveInMotion::new(unit, gravity, speed, forces, swung, answer);
         powers: BridgePowers<C> = BridgePowers::new(unit, command, speed, weight, forces);
         grip: Grip<C> = Grip::new(driven[!], unit, gravity, weight, forces);
-        braking: Braking<C> = Braking::new(brakes[!], profile, unit, gravity, weight, forces);
+        braking: TrolleyBraking<C> = TrolleyBraking::new(brakes[!], profile, unit, gravity, weight, forces);
         sliding: C = holds(brakes[!], grip) => K_BR;
         towed: TowRun<C> = TowRun::new(tow[!], place, forces);
     }
