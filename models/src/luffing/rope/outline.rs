@@ -10,7 +10,8 @@ use crate::luffing::resistances::outline::{EXTREMES, LIMITS, SUMMARY, USES};
 use crate::luffing::rope::symbols as s;
 
 /// What given quantities of its own are for that no formula has.
-const OWN_USES: [Purpose; 3] = [
+const OWN_USES: [Purpose; 4] = [
+    ("unloaded", &[&s::ETA_H]),
     ("start", &[&m::L_R, &m::PHI_R]),
     ("hoist", &[&m::V_H, &m::A_H]),
     ("control", SETTINGS),
@@ -80,7 +81,7 @@ pub const OUTLINE: Outline = Outline {
         ],
         LIMITS,
     ),
-    uses: &joined::<Purpose, 3, 2, 5>(OWN_USES, USES),
+    uses: &joined::<Purpose, 4, 2, 6>(OWN_USES, USES),
     forces: listed!(s: F_O1X, F_O1Y, N_B, T, T_UP, S_L_UP, S_H_UP, M_D),
     worst: &[("greatest_pull", &s::T_MAX)],
 };
