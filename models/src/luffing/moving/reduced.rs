@@ -45,7 +45,7 @@ pub struct MotorShaft<C> {
 
 impl<C: Calc> MotorShaft<C> {
     /// ψ′ = s′ / r, I_M = J_M ψ′², I_M′ = 2 J_M ψ′ ψ″, of the drive's travel for one radian and its change (m), on an arm r (m).
-    /// [Lagrange]
+    /// (Lagrange)
     pub fn new([travel, bend]: [C; 2], inertia: C, arm: C) -> MotorShaft<C> {
         let ratio = (travel / arm).def(&s::DPSI_M);
         let change = (bend / arm).def(&s::DDPSI_M);
