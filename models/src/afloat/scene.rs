@@ -292,13 +292,7 @@ impl Described for AfloatScene {
     }
 
     fn solver(&self) -> Option<Solver> {
-        self.step.map(|step| Solver {
-            step: ("dynamics", &s::STEP),
-            tolerance: ("dynamics", &s::STEP),
-            longest: step,
-            explicit: true,
-            cost: COST,
-        })
+        self.step.map(|step| Solver::explicit(&s::STEP, step, COST))
     }
 
     /// Where it begins, at rest.

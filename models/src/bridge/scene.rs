@@ -259,13 +259,7 @@ impl Described for BridgeScene {
     }
 
     fn solver(&self) -> Option<Solver> {
-        self.given.swaying.map(|_| Solver {
-            step: ("dynamics", &s::STEP),
-            tolerance: ("dynamics", &s::STEP),
-            longest: self.step,
-            explicit: true,
-            cost: COST,
-        })
+        (self.given.swaying).map(|_| Solver::explicit(&s::STEP, self.step, COST))
     }
 
     /// The frequency against that of the four-bar, and what starts leave against their steps one by one.

@@ -34,6 +34,7 @@ pub(crate) fn cycle<T: Described>(told: &Description<T>) -> Option<Cycle> {
     }
     let commanded: Vec<usize> = commands.into_iter().map(|(index, _)| index).collect();
     let symbol = |model: &MovingComponent, index: usize| model.variables()[index].symbol;
+    let number = |model: &MovingComponent, index: usize| model.variables()[index].number;
     let followed = seen::<T>(&model).into_iter().filter(|index| !commanded.contains(index));
     let seen: Vec<usize> = commanded.iter().copied().chain(followed).collect();
     let end = model.stop_time();
@@ -54,12 +55,13 @@ pub(crate) fn cycle<T: Described>(told: &Description<T>) -> Option<Cycle> {
             break;
         }
     }
-    let curve = |&index: &usize| -> Option<Curve> {
+    let curve = |&index: &usize| -> Option<(Curve, Option<u16>)> {
         let y = symbol(&model, index);
-        series.curve(y.id, [&TIME, y], index)
+        Some((series.curve(y.id, [&TIME, y], index)?, number(&model, index)))
     };
     let row = |&index: &usize| CycleRow {
         symbol: symbol(&model, index),
+        number: number(&model, index),
         ends: series.stands(index),
         last: series.last(index),
     };

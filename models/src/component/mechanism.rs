@@ -86,6 +86,21 @@ pub struct Solver {
     pub cost: [f64; 2],
 }
 
+impl Solver {
+    /// Of explicit steps whose length (s) stands under `dynamics`, with what rates cost.
+    #[must_use]
+    pub fn explicit(step: &'static Symbol, longest: f64, cost: [f64; 2]) -> Solver {
+        let place = ("dynamics", step);
+        Solver {
+            step: place,
+            tolerance: place,
+            longest,
+            explicit: true,
+            cost,
+        }
+    }
+}
+
 impl Clone for Box<dyn Mechanism> {
     fn clone(&self) -> Self {
         self.duplicate()

@@ -19,8 +19,8 @@ pub struct Cycle {
     pub end: f64,
     /// When the model could not go on, if it could not.
     pub ended: Option<f64>,
-    /// Over time, each by the id of its symbol.
-    pub curves: Vec<Curve>,
+    /// Over time, each by the id of its symbol, with its number among several.
+    pub curves: Vec<(Curve, Option<u16>)>,
     pub seen: Seen,
     pub rows: Vec<CycleRow>,
 }
@@ -28,6 +28,8 @@ pub struct Cycle {
 /// Between what values a quantity lies in a cycle, and its value at the end.
 pub struct CycleRow {
     pub symbol: &'static Symbol,
+    /// Which one, where there are several.
+    pub number: Option<u16>,
     pub ends: [Stand; 2],
     pub last: f64,
 }

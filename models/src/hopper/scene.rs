@@ -189,13 +189,7 @@ impl Described for HopperScene {
     }
 
     fn solver(&self) -> Option<Solver> {
-        self.given.command.map(|_| Solver {
-            step: ("dynamics", &s::STEP),
-            tolerance: ("dynamics", &s::STEP),
-            longest: self.step,
-            explicit: true,
-            cost: COST,
-        })
+        (self.given.command).map(|_| Solver::explicit(&s::STEP, self.step, COST))
     }
 
     /// The mean flows against cycles of the grab one after the other, and where all that came has gone.

@@ -300,13 +300,8 @@ impl Described for SlewingScene {
     }
 
     fn solver(&self) -> Option<Solver> {
-        self.given.driven.map(|_| Solver {
-            step: ("dynamics", &s::STEP),
-            tolerance: ("dynamics", &s::STEP),
-            longest: self.step,
-            explicit: true,
-            cost: COST[usize::from(self.given.swung.is_some())],
-        })
+        let cost = COST[usize::from(self.given.swung.is_some())];
+        (self.given.driven).map(|_| Solver::explicit(&s::STEP, self.step, cost))
     }
 
     /// The slope's moment against the change of the weights' height.

@@ -311,13 +311,7 @@ impl Described for UnloaderScene {
     }
 
     fn solver(&self) -> Option<Solver> {
-        self.given.swaying.map(|_| Solver {
-            step: ("dynamics", &s::STEP),
-            tolerance: ("dynamics", &s::STEP),
-            longest: self.step,
-            explicit: true,
-            cost: COST,
-        })
+        (self.given.swaying).map(|_| Solver::explicit(&s::STEP, self.step, COST))
     }
 
     /// What the motion starts from stands where the scene does not give it.

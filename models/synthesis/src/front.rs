@@ -18,7 +18,7 @@ const SLACK: [f64; 3] = [1e-8, 1e-6, 1e-4];
 
 /// A design than which none is better in both aims.
 #[derive(Clone, Debug)]
-pub struct Point {
+pub struct Compromise {
     /// Of each quantity that varies, in SI, and the same rounded to what a scene writes.
     pub values: Vec<f64>,
     pub written: Vec<f64>,
@@ -32,8 +32,8 @@ pub struct Point {
 
 /// Designs from the best for the first aim to the best for the second.
 #[derive(Clone, Debug)]
-pub struct Front {
-    pub points: Vec<Point>,
+pub struct Compromises {
+    pub points: Vec<Compromise>,
     /// The point nearest to the best of both, each aim as a part of what the front covers of it.
     pub chosen: usize,
     pub complete: bool,
@@ -76,9 +76,9 @@ impl Sides<'_> {
         )
     }
 
-    fn point(&self, own: usize, mut answer: Answer) -> Point {
+    fn point(&self, own: usize, mut answer: Answer) -> Compromise {
         let other = answer.results.pop().expect("the other aim has a limit");
-        Point {
+        Compromise {
             values: answer.values,
             written: answer.written,
             aims: if own == 0 {
@@ -92,7 +92,7 @@ impl Sides<'_> {
     }
 
     /// The best for one aim, and of all such the best for the other.
-    fn end(&self, own: usize) -> Result<(Point, bool), Nothing> {
+    fn end(&self, own: usize) -> Result<(Compromise, bool), Nothing> {
         let alone = self.best(own, None, &[])?;
         let near = [alone.values];
         let found = SLACK.iter().find_map(|slack| {
@@ -115,7 +115,7 @@ pub fn front(
     seed: u64,
     threads: usize,
     watch: Watch<'_>,
-) -> Result<Front, Nothing> {
+) -> Result<Compromises, Nothing> {
     let sides = Sides {
         mechanism,
         asked,
@@ -134,7 +134,6 @@ pub fn front(
         if !apart || !watch.goes_on() {
             break;
         }
-        #[allow(clippy::cast_precision_loss)]
         let limit = from + (to - from) * step as f64 / STEPS as f64;
         let near = points[points.len() - 1].values.clone();
         // Where nothing is found the front has a gap.
@@ -146,7 +145,7 @@ pub fn front(
     if apart {
         further(&mut points, last);
     }
-    Ok(Front {
+    Ok(Compromises {
         chosen: nearest(&points),
         points,
         complete: complete && watch.goes_on(),
@@ -154,7 +153,7 @@ pub fn front(
 }
 
 /// A point behind the last one, if it is another: two limits may lead to the same.
-fn further(points: &mut Vec<Point>, point: Point) {
+fn further(points: &mut Vec<Compromise>, point: Compromise) {
     let same = |(a, b): (&f64, &f64)| (a - b).abs() <= 10.0 * SLACK[0] * a.abs().max(b.abs());
     if !points[points.len() - 1].aims.iter().zip(&point.aims).all(same) {
         points.push(point);
@@ -162,10 +161,10 @@ fn further(points: &mut Vec<Point>, point: Point) {
 }
 
 /// Which point is nearest to the best of both aims.
-fn nearest(points: &[Point]) -> usize {
+fn nearest(points: &[Compromise]) -> usize {
     let [first, last] = [&points[0], &points[points.len() - 1]];
-    let away = |point: &Point| {
-        let part = |aim: usize, best: &Point, worst: &Point| {
+    let away = |point: &Compromise| {
+        let part = |aim: usize, best: &Compromise, worst: &Compromise| {
             let covered = worst.aims[aim] - best.aims[aim];
             if covered == 0.0 {
                 0.0

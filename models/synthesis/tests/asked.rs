@@ -10,7 +10,7 @@ use lemnis_models::request::{Goal, Request};
 use lemnis_models::scene::{DEFAULT, Scene};
 use lemnis_synthesis::asked::{Answer, Nothing, alone, seek};
 use lemnis_synthesis::fit::fit;
-use lemnis_synthesis::front::{Front, front};
+use lemnis_synthesis::front::{Compromises, front};
 
 const COMPENSATION: &str = include_str!("../../scenes/rope_compensation.toml");
 const LUFFING: &str = include_str!("../../scenes/rope_luffing.toml");
@@ -247,7 +247,7 @@ fn tackle(objective: &str) -> String {
         .replace("l_l_max = \"at most 100 m\"", "")
 }
 
-fn both(text: &str, seed: u64) -> Front {
+fn both(text: &str, seed: u64) -> Compromises {
     let (scene, asked) = read(text);
     let stop = AtomicBool::new(false);
     let watch = Watch {

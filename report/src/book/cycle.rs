@@ -33,13 +33,14 @@ struct Command {
 struct Drawn {
     #[serde(flatten)]
     figure: Figure,
-    symbol: &'static str,
+    shown: String,
 }
 
 #[derive(Serialize)]
 struct Row {
     #[serde(flatten)]
     quantity: Quantity,
+    shown: String,
     /// Least and greatest value, each with its time.
     ends: [[String; 2]; 2],
     last: String,
@@ -63,12 +64,13 @@ impl Cycle {
         };
         let row = |row: &sheet::CycleRow| Row {
             quantity: row.symbol.into(),
+            shown: shown(row.symbol, row.number),
             ends: (row.ends).map(|end| [numbers.result(row.symbol, end.value), numbers.result(&TIME, end.time)]),
             last: numbers.result(row.symbol, row.last),
         };
-        let drawn = |curve: &sheet::Curve| Drawn {
+        let drawn = |(curve, number): &(sheet::Curve, Option<u16>)| Drawn {
             figure: Figure::new(numbers, curve),
-            symbol: curve.y.print,
+            shown: shown(curve.y, *number),
         };
         Cycle {
             end: time(cycle.end),
@@ -78,4 +80,9 @@ impl Cycle {
             rows: cycle.rows.iter().map(row).collect(),
         }
     }
+}
+
+/// A symbol, with its number among several.
+pub(super) fn shown(symbol: &Symbol, number: Option<u16>) -> String {
+    number.map_or_else(|| symbol.print.to_owned(), |number| symbol.numbered(number))
 }

@@ -10,7 +10,7 @@ use lemnis_models::request::{Aim, Goal, Request, Varied};
 use lemnis_models::scene::Scene;
 use lemnis_synthesis::asked::{Answer, Limited, Nothing, alone, calls, limits, seek};
 use lemnis_synthesis::fit::{Fitted, fit};
-use lemnis_synthesis::front::{Front, Point, front, runs};
+use lemnis_synthesis::front::{Compromise, Compromises, front, runs};
 
 use crate::commands::watched::{SEARCHING, watched};
 use crate::failure::Failure;
@@ -243,7 +243,7 @@ fn optimum((asked, aim): (&Request, Aim), answer: &Answer) -> String {
 }
 
 /// The points of a front, and which of them the scene gets.
-fn between_ends((asked, aims): (&Request, [Aim; 2]), front: &Front) -> String {
+fn between_ends((asked, aims): (&Request, [Aim; 2]), front: &Compromises) -> String {
     let [one, other] = aims.map(|aim| format!("{} {}", aim.side(), aim.result.symbol.id));
     let what = match front.points.len() {
         1 => "one design is best for both",
@@ -280,7 +280,7 @@ fn between_ends((asked, aims): (&Request, [Aim; 2]), front: &Front) -> String {
 }
 
 /// The points of a front as CSV: both aims, the quantities, and the limited results.
-fn points((asked, aims): (&Request, [Aim; 2]), points: &[Point]) -> String {
+fn points((asked, aims): (&Request, [Aim; 2]), points: &[Compromise]) -> String {
     let limits = limits(asked);
     let head = |id: &str, symbol: &Symbol| format!("{id} [{}]", symbol.display.name);
     let mut rows: Vec<Vec<String>> = Vec::new();

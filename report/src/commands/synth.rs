@@ -48,7 +48,7 @@ impl Synth {
                 let task = &mut document["synthesis"];
                 task["seed"] = number(seed);
                 // A search from where one has ended is compared with what was before that.
-                if task.get("before").is_none() {
+                if asked.varied.iter().any(|varied| varied.before.is_none()) {
                     let values = asked
                         .varied
                         .iter()

@@ -51,12 +51,9 @@ pub fn unused(level: &str) -> Vec<(&'static str, &'static [&'static str])> {
 
 #[must_use]
 pub fn solver(moving: Option<&Moving>) -> Option<Solver> {
-    moving.map(|moving| Solver {
-        step: ("dynamics", &s::STEP),
-        tolerance: ("dynamics", &s::STEP),
-        longest: moving.constants.step,
-        explicit: true,
-        cost: COST[usize::from(moving.rope.is_some())],
+    moving.map(|moving| {
+        let cost = COST[usize::from(moving.rope.is_some())];
+        Solver::explicit(&s::STEP, moving.constants.step, cost)
     })
 }
 
