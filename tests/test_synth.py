@@ -195,6 +195,8 @@ def test_any_quantity(tmp_path):
         tackle[key] = before["luffing"]["tackle"][key]
     assert after.pop("name") == before.pop("name") + "_synth"
     assert after["synthesis"].pop("seed") == 3
+    # What the search began with stays beside it.
+    assert after["synthesis"].pop("before") == {f"luffing.tackle.{key}": before["luffing"]["tackle"][key] for key in ("E_x", "E_y")}
     assert before == after
     # Again from its own result, and from another seed.
     for name, given, seed in [("again", text, 3), ("other", LUFFING, 4)]:
@@ -241,7 +243,8 @@ def test_the_book_tells_the_search(tmp_path, language, chapter, decimal):
     # Before the search the tackle ends at (-4.5 m, 13 m); what is said of that is what its own scene says.
     before = lemnis("check", SCENES / "rope_luffing.toml")
     pull = re.search(r"^  T_max +([\d.]+)", before, re.MULTILINE)[1]
-    for number in ("13 thin", f"{float(pull):.4g} thin".replace(".", decimal)):
+    pull = f"{float(pull):.4g}" if decimal == "." else '"' + f"{float(pull):.4g}".replace(".", decimal) + '"'
+    for number in ("13 thin", f"{pull} thin"):
         assert number in told, number
 
 
