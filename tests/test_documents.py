@@ -67,6 +67,8 @@ def test_the_schema_accepts_what_the_program_accepts():
             assert any_other or set(value) <= set(named), path
             for key, inner in value.items():
                 check(inner, named.get(key, any_other), f"{path}.{key}")
+        elif schema["type"] == "integer":
+            assert isinstance(value, int) and schema["minimum"] <= value <= schema["maximum"], path
         else:
             assert isinstance(value, str), path
             assert "enum" not in schema or value in schema["enum"], path

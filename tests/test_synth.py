@@ -217,13 +217,20 @@ def test_what_can_be_had_of_one_for_the_other(tmp_path):
     pulls, lengths = ([float(row[head]) for row in rows] for head in heads[:2])
     assert pulls == sorted(pulls) and lengths == sorted(lengths, reverse=True)
     # The scene has one of them; the mechanism says of it what the row does.
-    found = tomllib.loads((tmp_path / "out/RopeLuffing_synth.toml").read_text(encoding="utf-8"))["luffing"]["tackle"]
+    scene = tomllib.loads((tmp_path / "out/RopeLuffing_synth.toml").read_text(encoding="utf-8"))
+    found = scene["luffing"]["tackle"]
     anchor = [float(found[key]["value"].split()[0]) for key in ("E_x", "E_y")]
     row = next(row for row in rows if [float(row[head]) for head in heads[2:4]] == anchor)
     checked = lemnis("check", tmp_path / "out/RopeLuffing_synth.toml")
     for key, head in (("T_max", heads[0]), ("l_l_max", heads[1])):
         value = float(re.search(rf"^  {key} +(\S+)", checked, re.MULTILINE)[1])
         assert abs(value / float(row[head]) - 1) < 1e-5, key
+    # The scene notes the designs of the front, and the book draws them.
+    for key, head in (("E_x", heads[2]), ("E_y", heads[3])):
+        noted = [float(one.split()[0]) for one in scene["synthesis"]["front"][f"luffing.tackle.{key}"].split(", ")]
+        assert noted == [float(row[head]) for row in rows], key
+    lemnis("book", "--format", "typ", "--output", tmp_path, tmp_path / "out/RopeLuffing_synth.toml")
+    assert "What can be had of one aim for the other" in (tmp_path / "RopeLuffing_synth.typ").read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize(["language", "chapter", "decimal"], [

@@ -16,7 +16,7 @@ use crate::kernel::origin::Origins;
 use crate::kernel::schema::{COUNTLESS, Key, Kind, Values};
 use crate::kernel::sign::Sign;
 use crate::kernel::symbol::Symbol;
-use crate::vary::{self, Named, bounds, choices, number, source};
+use crate::vary::{self, Named, bounds, choices, list, number, source};
 
 /// Keys of `[synthesis]`.
 pub static SYNTHESIS: &[Key] = &[
@@ -44,6 +44,13 @@ pub static SYNTHESIS: &[Key] = &[
         "before",
         Kind::Named,
         "What the quantities were before the search, for the book to compare; `lemnis synth` notes it.",
+    )
+    .optional(),
+    Key::new(
+        "front",
+        Kind::Named,
+        "What the quantities are along the front of two aims, from the best for the first one on, for the book to draw; \
+         `lemnis synth` notes it: { \"luffing.X_7\" = \"1.1 m, 1.2 m\" }.",
     )
     .optional(),
     Key::new(
@@ -116,6 +123,8 @@ pub struct Varied {
     /// What the scene has now, and what it had before the search, where it notes that.
     pub value: f64,
     pub before: Option<f64>,
+    /// What it is in each design of a front, where the scene notes that.
+    pub front: Vec<f64>,
     /// What a unit of mass weighs, where it is a weight given as a mass, in m/s².
     pub weighs: Option<f64>,
     /// Where the scene gives it, and where it asks for another value.
@@ -175,11 +184,7 @@ impl Request {
             let help = "name a quantity of the scene with its bounds: { \"luffing.X_7\" = \"1 m to 2 m\" }";
             found.push(v.refuse("vary", "nothing may change", "nothing to search for", help));
         }
-        for (key, text, place) in v.named("before") {
-            if let Err(refused) = noted(&mut varied, (key, text, place)) {
-                found.push(*refused);
-            }
-        }
+        found.extend(noted(&mut varied, v).err().map(|refused| *refused));
         let all = results(&model, mechanism);
         let goal = goal(v, mechanism, &all).map_err(|refused| found.push(*refused)).ok();
         let mut demands = Vec::new();
@@ -333,24 +338,50 @@ fn vary(model: &Standing, all: &Origins, gravity: f64, named: Named<'_>) -> Resu
         choices,
         value: known.value,
         before: None,
+        front: Vec::new(),
         weighs,
         given: origin.place.clone(),
         place: place.clone(),
     })
 }
 
-/// Takes down what a quantity was before the search.
-fn noted(varied: &mut [Varied], named: Named<'_>) -> Result<(), Box<Diagnostic>> {
-    let (key, text, place) = named;
-    let Some(one) = varied.iter_mut().find(|one| one.key == *key) else {
-        let message = format!("`{key}` was something before the search, and does not vary");
+/// Takes down what quantities were before the search, and are along a front.
+fn noted(varied: &mut [Varied], v: &Values) -> Result<(), Box<Diagnostic>> {
+    for (key, text, place) in v.named("before") {
+        let named = (key, text, place);
+        let one = known(varied, named, "was something before the search")?;
+        one.before = Some(number(named.1, one.symbol, one.weighs).map_err(|problem| vary::wrong(named, problem))?);
+    }
+    for (key, text, place) in v.named("front") {
+        let named = (key, text, place);
+        let one = known(varied, named, "is something along a front")?;
+        one.front = list(named.1, one.symbol, one.weighs).map_err(|problem| vary::wrong(named, problem))?;
+    }
+    match varied.iter().find(|one| one.front.len() != varied[0].front.len()) {
+        Some(other) => {
+            let [first, count] = [&varied[0], other].map(|one| one.front.len());
+            let message = format!(
+                "{first} designs of a front have `{}`, {count} `{}`",
+                varied[0].key, other.key
+            );
+            let help = "give as many values of each quantity, or remove `front`";
+            Err(Box::new(v.refuse("front", message, "not as many", help)))
+        }
+        None => Ok(()),
+    }
+}
+
+/// The quantity of which a note tells something.
+fn known<'a>(
+    varied: &'a mut [Varied],
+    (key, _, place): Named<'_>,
+    tells: &str,
+) -> Result<&'a mut Varied, Box<Diagnostic>> {
+    varied.iter_mut().find(|one| one.key == *key).ok_or_else(|| {
+        let message = format!("`{key}` {tells}, and does not vary");
         let help = "name it under `vary`, or remove this";
-        return Err(Box::new(
-            Diagnostic::new(place.clone(), message, "not searched for").help(help),
-        ));
-    };
-    one.before = Some(number(text, one.symbol, one.weighs).map_err(|problem| vary::wrong(named, problem))?);
-    Ok(())
+        Box::new(Diagnostic::new(place.clone(), message, "not searched for").help(help))
+    })
 }
 
 /// Results of the whole range that have derivatives.

@@ -90,11 +90,16 @@ pub(crate) fn number(text: &str, symbol: &'static Symbol, weighs: Option<f64>) -
 
 /// Values such as `"2, 3 or 4"`; none where these are bounds.
 pub(crate) fn choices(text: &str, symbol: &'static Symbol, weighs: Option<f64>) -> Result<Vec<f64>, measure::Problem> {
-    let each: Vec<&str> = text.split(',').flat_map(|some| some.split(" or ")).collect();
-    match each.as_slice() {
-        [_] => Ok(Vec::new()),
-        each => each.iter().map(|one| number(one, symbol, weighs)).collect(),
+    if text.contains(',') || text.contains(" or ") {
+        return list(text, symbol, weighs);
     }
+    Ok(Vec::new())
+}
+
+/// Values one after the other, `"2, 3 or 4"`.
+pub(crate) fn list(text: &str, symbol: &'static Symbol, weighs: Option<f64>) -> Result<Vec<f64>, measure::Problem> {
+    let each = text.split(',').flat_map(|some| some.split(" or "));
+    each.map(|one| number(one, symbol, weighs)).collect()
 }
 
 /// Bounds such as `"1 m to 2 m"`.

@@ -187,7 +187,8 @@ fn every_check_of_the_ready_scenes_passes() {
 fn compensation_by_hand() {
     let mut model = scene(&[("m_k", "3"), ("eta_k", "0.9")]).model().expect("exists");
     // y_Q = 25.980762 + (21.917681 − 26.457513) · 3/2 − 15 = 4.171014 m.
-    // y' = 15 − 6.843790 · 3/2 = 4.734315 m, M_Q = 473.431560 kN·m. S_h = 50 kN, F_k = 150 kN.
+    // y' = 15 − 6.843790 · 3/2 = 4.734315 m, M_Q = 473.431560 kN·m. S_h = 50 kN, F_k = 150 kN;
+    // by powers 100 · 15 − 150 · 6.843790 = 473.4315 kN·m.
     // T = (420 + 1500 − 150 · 6.843790) / 12.699892 = (1920 − 1026.568440) / 12.699892 = 70.349540 kN.
     // Raised, the rope runs out: S_h = 47.5, F_k = 3 · 47.5 · 0.9 = 128.25 kN,
     //   T = (1920 − 128.25 · 6.843790) / 12.699892 = (1920 − 877.716016) / 12.699892 = 82.070303 kN.
@@ -196,6 +197,7 @@ fn compensation_by_hand() {
     for (name, expected) in [
         ("Y_Q", 4.171_014),
         ("M_Q", 473_431.56),
+        ("M_Q.P", 473_431.56),
         ("F_k", 150_000.0),
         ("T", 70_349.54),
         ("F_k.up", 128_250.0),
@@ -286,6 +288,7 @@ proptest! {
             let (m_d, m_q, m_g) = (get("M_D"), get("M_Q"), get("M_G"));
             let scale = m_q.abs().max(m_g.abs()).max((get("F_k") * get("h_S")).abs()).max(1.0);
             prop_assert!((m_d - m_q - m_g).abs() <= 1e-12 * scale, "{m_d} {m_q} {m_g}");
+            prop_assert!((get("M_Q.P") - m_q).abs() <= 1e-12 * scale, "{m_q}");
             let power = m_d * get("omega");
             prop_assert!((get("P_l") - power).abs() <= 1e-12 * scale, "{power}");
             // The foot carries what hangs on the boom, less what its ropes carry.

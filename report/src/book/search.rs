@@ -1,6 +1,6 @@
 //! What a scene asks of a search for its own quantities, and what came of it.
 
-use lemnis_models::request::{Aim, Goal, RangeLimit, Varied};
+use lemnis_models::request::{Aim, Goal, RangeLimit, Request, Varied};
 use lemnis_models::scene::Scene;
 use lemnis_synthesis::asked::results;
 use serde::Serialize;
@@ -8,6 +8,7 @@ use serde::Serialize;
 use crate::book::blocks::Quantity;
 use crate::book::notation::Notation;
 use crate::print::number::Numbers;
+use crate::print::plot::{self, Line};
 
 #[derive(Serialize)]
 pub(super) struct Search {
@@ -18,6 +19,8 @@ pub(super) struct Search {
     found: bool,
     /// Quantities, then aims, then what else is limited.
     rows: Vec<Row>,
+    /// Of two aims, where the scene notes the designs of their front: a picture.
+    front: Option<String>,
 }
 
 /// A result that is to be `least` or `greatest`.
@@ -43,6 +46,9 @@ struct Row {
     binds: bool,
     missed: bool,
 }
+
+/// Label of the scene's own design among those of a front.
+const OWN: &str = "1";
 
 /// How near to its limit, as a part of it or of the way between the bounds, a value holds it.
 const HOLDS: f64 = 1e-5;
@@ -100,7 +106,32 @@ pub(super) fn search(numbers: &Numbers, scene: &Scene, notation: &mut Notation) 
         seed: asked.seed,
         found: before.is_some(),
         rows,
+        front: front(numbers, scene, asked),
     })
+}
+
+/// One aim over the other: the designs of the front, and the scene's.
+fn front(numbers: &Numbers, scene: &Scene, asked: &Request) -> Option<String> {
+    let Goal::Front(aims) = asked.goal else {
+        return None;
+    };
+    let wanted = aims.map(|aim| aim.result);
+    let point = |values: Vec<f64>| match results(&*scene.mechanism, asked, &values, &wanted)[..] {
+        [Some(one), Some(other)] => Some([one, other]),
+        _ => None,
+    };
+    let count = asked.varied.first()?.front.len();
+    let of = |i: usize| point(asked.varied.iter().map(|varied| varied.front[i]).collect());
+    let points: Vec<[f64; 2]> = (0..count).filter_map(of).collect();
+    let own = point(asked.varied.iter().map(|varied| varied.value).collect())?;
+    let lines = [(String::new(), points), (OWN.to_owned(), vec![own])];
+    let lines = lines.map(|(label, points)| Line {
+        label,
+        points,
+        marked: true,
+    });
+    let drawn = lines[0].points.len() > 1;
+    drawn.then(|| plot::lines(numbers.language, wanted.map(|result| result.symbol), &lines).json())
 }
 
 fn of_quantity(numbers: &Numbers, varied: &Varied) -> Row {

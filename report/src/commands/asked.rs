@@ -32,8 +32,16 @@ pub const BROKEN_OFF: &str = "broken off: this is the best so far";
 pub struct Searched {
     /// The scene with what was found.
     pub scene: Scene,
-    /// Of two aims, what can be had of one for the other: the end of a file's name, and its text.
-    pub front: Option<(&'static str, String)>,
+    /// Of two aims, what can be had of one for the other.
+    pub front: Option<Listed>,
+}
+
+/// The designs of a front.
+pub struct Listed {
+    /// As CSV: the end of a file's name, and its text.
+    pub file: (&'static str, String),
+    /// The values of each quantity, as a scene writes them.
+    pub along: Vec<(String, String)>,
 }
 
 /// What was found, told; `name` is what the scene is called in messages.
@@ -69,7 +77,10 @@ pub fn found(scene: &Scene, asked: &Request, seed: u64, name: &str) -> Result<Se
             });
             let mut found = found.map_err(unfound)?;
             say(between_ends((asked, aims), &found).trim_end())?;
-            listed = Some(("front.csv", points((asked, aims), &found.points)));
+            listed = Some(Listed {
+                file: ("front.csv", points((asked, aims), &found.points)),
+                along: along(asked, &found.points),
+            });
             (found.points.swap_remove(found.chosen).written, found.complete)
         }
     };
@@ -304,6 +315,15 @@ fn points((asked, aims): (&Request, [Aim; 2]), points: &[Compromise]) -> String 
         rows.push(all.chain(limited.clone().zip(&point.results).map(shown)).collect());
     }
     machine::records(rows)
+}
+
+/// The values of each quantity along a front.
+fn along(asked: &Request, points: &[Compromise]) -> Vec<(String, String)> {
+    let of = |(i, varied): (usize, &Varied)| {
+        let values = points.iter().map(|point| varied.written(point.written[i]));
+        (varied.key.clone(), values.collect::<Vec<String>>().join(", "))
+    };
+    asked.varied.iter().enumerate().map(of).collect()
 }
 
 /// What a fit found, how far it is known, and what it leaves.

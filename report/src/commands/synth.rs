@@ -55,12 +55,16 @@ impl Synth {
                         .map(|varied| (&varied.key, varied.written(varied.value)));
                     task["before"] = value(values.collect::<InlineTable>());
                 }
+                match &searched.front {
+                    Some(front) => task["front"] = Item::Table(texts(&front.along)),
+                    None => drop(task.as_table_like_mut().and_then(|task| task.remove("front"))),
+                }
                 // What was published was so of other dimensions.
                 if let Some(mechanism) = document[scene.table].as_table_like_mut().filter(|_| !fitted) {
                     mechanism.remove("published");
                 }
             })?;
-            return self.write(&found, searched.front);
+            return self.write(&found, searched.front.map(|front| front.file));
         }
         let Some(search) = scene.search() else {
             return Err(Failure::Scene(format!(
@@ -144,6 +148,15 @@ fn improved(scene: &Scene, own: Option<&Lever<f64>>, task: &Task, outcome: &Outc
         synthesis["candidates"] = Item::ArrayOfTables(candidates);
         mechanism["synthesis"] = Item::Table(synthesis);
     })
+}
+
+/// Keys with their texts.
+fn texts(all: &[(String, String)]) -> Table {
+    let mut table = Table::new();
+    for (key, text) in all {
+        table[key] = value(text);
+    }
+    table
 }
 
 const SUFFIX: &str = "_synth";

@@ -18,7 +18,7 @@
 //! | `rope.tackle` | [`position::Falls::new`] | Ports001, 5.1 |
 //! | `rope.load_path` | [`position::Path::new`] | Ports001, 5.2.3, 5.2.3.1 |
 //! | `rope.velocity` | [`velocity::RopeTravel::new`] | Ports001, 5.2.3, 5.2.3.1 |
-//! | `rope.load_moment` | [`statics::Hanging::new`] | Ports001, 5.2.3, by virtual work |
+//! | `rope.load_moment` | [`statics::Hanging::new`] | Ports001, 5.2.3, by virtual work, and 5.9.2.4, by powers |
 //! | `rope.pull` | [`statics::Pull::new`] | Ports001, 5.1, by equilibrium |
 //! | `rope.losses` | [`losses::Losses::new`] | Ports001, 5.1 |
 //! | `rope.motion` | [`moving::Roped`] | Lagrange, in closed form |

@@ -73,7 +73,7 @@ composed! {
         path: Path<C> = Path::new(rig, level, position, stretch);
         travel: RopeTravel<C> = RopeTravel::new(rig, position, stretch) => _;
         speeds: Speeds<C> = Speeds::new(rig, travel, falls, omega);
-        hanging: Hanging<C> = Hanging::new(rig, load[!], stretch, travel);
+        hanging: Hanging<C> = Hanging::new(rig, position, load[!], stretch, travel);
         own: OwnMoment<C> = OwnMoment::new(weights[!], phi);
         balancing: Balancing<C> = balancing(weights[!], balance[!], choice) => _;
         residual: Residual<C> = residual(balancing, own, phi);

@@ -14,21 +14,32 @@ use crate::parts::plane::{self, Point};
 pub struct Hanging<C> {
     /// Moment about O1 by virtual work, in N·m; positive lowers the boom.
     pub m_q: C,
+    /// The same by powers.
+    by_pole: C,
     /// Pull of the hoist rope, in N.
     s_h: C,
     /// Pull of all its parts between head and sheave, in N.
     f_k: C,
 }
-results! { Hanging as h => { M_Q: h.m_q; S_H: h.s_h; F_K: h.f_k; } }
+results! { Hanging as h => { M_Q: h.m_q; M_Q_P: h.by_pole; S_H: h.s_h; F_K: h.f_k; } }
 
 impl<C: Calc> Hanging<C> {
-    /// M_Q = Q dy_Q/dphi [Ports001, 5.2.3]; S_h = Q / m_h [Ports001, 5.1]; F_k = m_k S_h [Ports001, 5.2.4.1]
-    pub fn new(rig: &Rig<C>, q: &C, stretch: &Stretch<C>, travel: &RopeTravel<C>) -> Hanging<C> {
+    /// M_Q = Q dy_Q/dphi [Ports001, 5.2.3]; S_h = Q / m_h [Ports001, 5.1]; F_k = m_k S_h [Ports001, 5.2.4.1]; the powers of Q and
+    /// F_k at the head while the boom turns about O1, M_Q omega = (Q x_A − F_k h_S) omega [Ports001, 5.9.2.4]
+    pub fn new(
+        rig: &Rig<C>,
+        position: &BoomPosition<C>,
+        q: &C,
+        stretch: &Stretch<C>,
+        travel: &RopeTravel<C>,
+    ) -> Hanging<C> {
         let s_h = (*q / rig.m_h).def(&s::S_H);
+        let f_k = stretch.parts.map_or(s_h, |_| stretch.all(s_h).def(&s::F_K));
         Hanging {
             m_q: (*q * travel.y_q).def(&s::M_Q),
+            by_pole: (*q * position.a.x - f_k * stretch.line.arm).def(&s::M_Q_P),
             s_h,
-            f_k: stretch.parts.map_or(s_h, |_| stretch.all(s_h).def(&s::F_K)),
+            f_k,
         }
     }
 }

@@ -59,6 +59,7 @@ symbols! {
     S_H: "S_h" "S_h" N / KN, "Pull of the hoist rope, without losses.", "[Ports001, 5.1]";
     F_K: "F_k" "F_k" N / KN, "Pull of all parts of the hoist rope between A and B, without losses.", "[Ports001, 5.2.4.1]";
     M_Q: "M_Q" "M_Q" N_M / KN_M, "Moment of the load about O1 by virtual work; positive lowers the boom.", "[Ports001, 5.2.3]";
+    M_Q_P: "M_Q.P" "M_(Q,P)" N_M / KN_M, "The same by what load and hoist rope do at the head while the boom turns about O1.", "[Ports001, 5.9.2.4]";
     M_G: "M_G" "M_G" N_M / KN_M, "Moment of the boom's weight about O1; positive lowers the boom.", "[Ports001, 5.1]";
     M_W: "M_w" "M_w" N_M / KN_M, "Moment of load, own weight and balance about O1, without the pull of the hoist rope; positive lowers the boom.", "[Ports001, 5.1]";
     M_D: "M_D" "M_D" N_M / KN_M, "Moment that the luffing tackle must give to the boom; positive raises it.", "[Ports001, 5.1]";
