@@ -57,7 +57,7 @@ def test_its_parameters_and_results(fmus, standard):
     assert not validate_fmu(fmus[standard])
     variables = {variable.name: variable for variable in read_model_description(fmus[standard]).modelVariables}
     assert {name: variables[name].causality for name in ("v_t", "n_dr[4]", "p_s", "k_st[1]", "F_cl", "U[4]", "s_br")} == {
-        "v_t": "parameter", "n_dr[4]": "parameter", "p_s": "parameter", "k_st[1]": "output", "F_cl": "output", "U[4]": "output",
+        "v_t": "parameter", "n_dr[4]": "parameter", "p_s": "parameter", "k_st[1]": "output", "F_cl": "calculatedParameter", "U[4]": "output",
         "s_br": "output"}
 
 

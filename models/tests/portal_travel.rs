@@ -126,9 +126,10 @@ fn energy_and_limits() {
     near(more, wanted, 1e-12 * wanted);
     set(&mut model, "chi_w", FRAC_PI_2);
     near(get(&mut model, "F_wt"), 0.0, 1e-9);
+    // What the smallest shafts that can be take is their mass at the wheels by a deceleration below 1 m/s².
     set(&mut model, "J_M", 1e-12);
-    let rails = get(&mut model, "F_tb");
-    near(rails, get(&mut model, "F_br"), 1e-7);
+    let [rails, shafts] = [get(&mut model, "F_tb"), get(&mut model, "m_J")];
+    near(rails, get(&mut model, "F_br"), shafts);
 }
 
 /// Of every corner at each slewing angle a full turn finds the least; the wheel that bears least slips first.
@@ -149,7 +150,9 @@ fn the_least_of_the_circle() {
         }
     }
     for (found, wanted) in [(least("k_st_min"), grip), (least("K_s_min"), storm)] {
-        assert!(found <= wanted && wanted - found <= 1e-6 * found, "{found} {wanted}");
+        // Between two of these places it is less, and on one of them the same but for its last digits.
+        let apart = (wanted - found) / wanted;
+        assert!((-1e-15..=1e-6).contains(&apart), "{found} {wanted}");
     }
     // In closed form: the adhesion of the least wheel load on the circle over the force of a wheel in a start.
     let wheel = get(&mut model, "N_4_cir") / get(&mut model, "n_w[1]");

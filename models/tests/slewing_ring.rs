@@ -300,7 +300,7 @@ fn the_far_side_lifts() {
 fn bolts_and_life() {
     let more = |count: &str| {
         format!(
-            "[supports.bolts]\nn_b = \"{count}\"\nD_b = \"4.2 m\"\nF_p = \"60 kN\"\nF_y = \"100 kN\"\nPhi_b = \"0.25\"\nmu_b = \"0.1\"\n\
+            "[supports.bolts]\nn_b = \"{count}\"\nD_b = \"4.2 m\"\nF_p = \"60 kN\"\nF_y = \"100 kN\"\nphi_b = \"0.25\"\nmu_b = \"0.1\"\n\
              [supports.life]\nC_d = \"9000 kN\"\nk_h = \"0.75\"\n"
         )
     };

@@ -43,7 +43,7 @@ pub const KEYS: &[Key] = keys! { s:
     Key::part("limits", LIMITS, "What results may come to at most, or at least.")
 };
 
-static CORNER: &[Key] = keys! { s: N_W > 0, N_DR >= 0 [usually(0.0)] };
+static CORNER: &[Key] = keys! { s: N_W > 0, N_DR >= 0 [optional] };
 static PORTAL: &[Key] = keys! { s: G_P [or_mass], X_P [usually(0.0)], Y_P [usually(0.0)] };
 static UPPER: &[Key] = keys! { s: G_U [or_mass], R_U };
 static AREA: &[Key] = keys! { s: A_W >= 0, H_W >= 0 };

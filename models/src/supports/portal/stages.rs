@@ -59,7 +59,7 @@ stages! {
         top: C = top(loads) => N_TOP;
         edges[corners]: Vec<Edge<C>> = edges(base, still, own, load, reach, heading);
         rolling: C = rolling(wheels[!]) => W;
-        blown: TravelWind<C> = TravelWind::new(wind[!], areas);
+        blown: TravelWind<C> = TravelWind::new(travel[!], wind[!], areas);
         resisting: PortalResistance<C> =
             PortalResistance::new(gravity[!], wheels[!], travel[!], slewing, rolling, blown[?]);
         driving: TravelMotor<C> = TravelMotor::new(wheels[!], travel[!], motors[!], resisting);

@@ -32,7 +32,7 @@ results! { each BoltForces as b => {
 } }
 
 impl<C: Calc> BoltForces<C> {
-    /// F_b = 4M/(n D_b) − V/n, F_bm = F_p + Φ F_b where it is pulled, S_b = F_y/F_bm, F_k = F_p − (1 − Φ) F_b,
+    /// F_b = 4M/(n D_b) − V/n, F_bm = F_p + φ F_b where it is pulled, S_b = F_y/F_bm, F_k = F_p − (1 − φ) F_b,
     /// S_h = μ (n F_p + V)/H. (equilibrium of a rigid ring on springs)
     pub fn new(bolts: &RingBolts<C>, load: &SupportLoad<C>) -> BoltForces<C> {
         let turned = load.moment.scaled(4.0) / (bolts.n * bolts.d);

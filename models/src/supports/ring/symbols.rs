@@ -29,7 +29,7 @@ symbols! {
     D_B: "D_b" "D_\"b\"" M / M [positive], "Diameter of the bolts' circle.", "input";
     F_P: "F_p" "F_\"p\"" N / KN [positive], "Preload of a bolt, least of what its tightening leaves.", "input";
     F_Y: "F_y" "F_\"y\"" N / KN [positive], "Force at which a bolt yields.", "input";
-    PHI_B: "Phi_b" "Phi_\"b\"" ONE / ONE [from_to(0.0, 1.0), unconfirmed], "Part of a pull on the joint that a bolt feels on top of its preload.", "input";
+    PHI_B: "phi_b" "phi_\"b\"" ONE / ONE [from_to(0.0, 1.0), unconfirmed], "Part of a pull on the joint that a bolt feels on top of its preload.", "input";
     MU_B: "mu_b" "mu_\"b\"" ONE / ONE [from_to(0.0, 1.0), unconfirmed], "Friction coefficient of the bolted joint.", "input";
     C_D: "C_d" "C_\"d\"" N / KN [positive], "Dynamic capacity of the raceway: axial force that it bears for a million revolutions.", "input";
     K_H: "k_h" "k_\"h\"" ONE / ONE [not_negative, unconfirmed], "Factor of the horizontal force in the equivalent force of the life.", "input";

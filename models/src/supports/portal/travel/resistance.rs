@@ -23,7 +23,7 @@ results! { TravelWind as w => { A_SUM: w.area; F_WT: w.force; } }
 
 impl<C: Calc> TravelWind<C> {
     /// A_w = Σ A_w,i, F_wt = p_w A_w |cos χ_w|. [Ports001, 7.2]
-    pub fn new(wind: &Blowing<C>, areas: &[WindArea<C>]) -> TravelWind<C> {
+    pub fn new(_: &PortalTravel<C>, wind: &Blowing<C>, areas: &[WindArea<C>]) -> TravelWind<C> {
         let area = sum(areas.iter().map(|area| area.a_w)).def(&s::A_SUM);
         let along = wind.chi_w.sin_cos().1.abs();
         TravelWind {

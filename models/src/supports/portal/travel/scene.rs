@@ -56,6 +56,13 @@ impl TravelScene {
         if let Some(storm) = storm {
             whole(storm, &s::Z_C, found);
         }
+        for corner in v.tables("corners").iter().filter(|corner| !corner.has(s::N_DR.id)) {
+            let (label, help) = (
+                "[supports.travel] needs n_dr",
+                "add n_dr = \"0\", or how many there are",
+            );
+            found.push(corner.refuse(s::N_DR.id, "`n_dr` is missing here", label, help));
+        }
         let driven = each(v, "corners", CornerDrive::read)?;
         suits(v, &driven, found);
         Some(TravelScene {
@@ -88,7 +95,7 @@ fn suits(v: &Values, driven: &[CornerDrive<f64>], found: &mut Vec<Diagnostic>) {
         }
     }
     if driven.iter().all(|corner| corner.n_dr == 0.0) {
-        let help = "add n_dr = \"1\", or how many there are, to those [[supports.corners]] that have driven wheels";
+        let help = "give those [[supports.corners]] an n_dr above 0 that have driven wheels";
         found.push(v.refuse(
             "travel",
             "travel without a driven wheel",
