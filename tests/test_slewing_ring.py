@@ -105,14 +105,35 @@ def test_the_far_side_lifts_at_an_event(fmus, standard):
     assert (lifts == (far < 0))[clear].all() and lifts.any() and not lifts.all()
 
 
+@pytest.mark.parametrize("standard", ENDS)
+def test_bolts_and_life_by_springs(fmus, standard):
+    """Pulls on bolts as those of equal springs at their places, whose least sum of squares holds force and moment; the life of
+    rollers."""
+    psi = np.radians(np.arange(0.0, 360.0, 7.0))
+    inputs = np.array(list(zip(np.arange(len(psi), dtype=float), psi)), dtype=[("time", float), ("psi", float)])
+    names = [f"{name}[{case}]" for name in ("F_b", "S_b", "F_k", "S_h", "L_10") for case in (1, 2, 3)]
+    result = simulate_fmu(fmus[standard], stop_time=len(psi) - 1.0, output_interval=1.0, input=inputs, output=["psi", *names])
+    around = 2 * np.pi * np.arange(96) / 96
+    places = np.array([np.ones(96), 2.15 * np.cos(around), 2.15 * np.sin(around)])
+    for case in range(3):
+        force, across, moment = by_hand(result["psi"], 25.0, 16e3 * G, case)
+        pulls, *_ = np.linalg.lstsq(places, np.array([-force * np.ones_like(moment), moment, 0 * moment]), rcond=None)
+        pull = pulls.max(axis=0)
+        most = 340e3 + 0.2 * np.maximum(pull, 0)
+        wanted = {"F_b": pull, "S_b": 525e3 / most, "F_k": 340e3 - 0.8 * pull, "S_h": 0.15 * (96 * 340e3 + force) / across,
+                  "L_10": (9000e3 / (force + 2 * moment / DIAMETER + 0.75 * across)) ** (10 / 3)}
+        for name, one in wanted.items():
+            assert np.allclose(result[f"{name}[{case + 1}]"], one, rtol=1e-10, atol=1e-6), name
+
+
 @pytest.mark.parametrize("language", ["en", "zh", "bg"])
 def test_the_book_has_all_of_it(language, tmp_path):
     lemnis("book", SCENE, "--language", language, "--format", "typ", "--output", tmp_path)
     book = typst(tmp_path / "SlewingPortal.typ")
     known = words(language)
-    for section in ("upper_weights", "upper_loads", *(f"ring_{name}" for name in ("alone", "hardness", "elements", "contact", "static", "friction"))):
+    for section in ("upper_weights", "upper_loads", *(f"ring_{name}" for name in ("alone", "hardness", "elements", "contact", "static", "friction", "bolts", "life"))):
         assert known["section"][section] in book, section
-    for check in ("force", "contact", "use", "safety", "sum", "turn"):
+    for check in ("force", "contact", "use", "safety", "bolts", "joint", "slip", "life", "sum", "turn", "pulls"):
         assert known["check"][f"ring_{check}"] in book, check
     assert known["curve"]["ring_capacity"] in book
     # The greatest moment of all cases over the circle, with four digits.

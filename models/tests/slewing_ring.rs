@@ -294,6 +294,70 @@ fn the_far_side_lifts() {
     assert!(get(&mut held, "P_max[1]") > 0.0);
 }
 
+/// Bolts of any number on their circle by hand, with a joint that keeps closed or opens; the life of balls and rollers falls with
+/// its power where all is twice as heavy.
+#[test]
+fn bolts_and_life() {
+    let more = |count: &str| {
+        format!(
+            "[supports.bolts]\nn_b = \"{count}\"\nD_b = \"4.2 m\"\nF_p = \"60 kN\"\nF_y = \"100 kN\"\nphi_b = \"0.25\"\nmu_b = \"0.1\"\n\
+             [supports.life]\nC_d = \"9000 kN\"\nk_h = \"0.75\"\n"
+        )
+    };
+    // V = 1000 kN, M = 100 · 43 − 300 = 4000 kN·m, 27 kN of wind across.
+    fn said<'a>(more: &'a str, law: &'a str, upper: &'a str, load: &'a str, areas: &'a str) -> Said<'a> {
+        Said {
+            law,
+            upper,
+            areas,
+            cases: "1 270 1.5707963267948966",
+            load: [load, "43"],
+            more,
+            ..PLAIN
+        }
+    }
+    let upper = "500000 -0.5 3;150000 8 12;250000 -5 4";
+    for count in ["3", "4", "7", "96"] {
+        let (n, text): (f64, _) = (count.parse().expect("a number"), more(count));
+        let mut model = model(&scene(&said(&text, "line", upper, "100000", "100 0")));
+        set(&mut model, "psi", 0.0);
+        let pull = (4.0 * 4000e3 / 4.2 - 1000e3) / n;
+        let found = [
+            ("F_b[1]", pull),
+            ("F_bm[1]", 60e3 + 0.25 * pull),
+            ("S_b[1]", 100e3 / (60e3 + 0.25 * pull)),
+            ("F_k[1]", 60e3 - 0.75 * pull),
+            ("S_h[1]", 0.1 * (n * 60e3 + 1000e3) / 27e3),
+            ("P_e[1]", 1000e3 + 2.0 * 4000e3 / 4.0 + 0.75 * 27e3),
+        ];
+        for (name, wanted) in found {
+            near(get(&mut model, name), wanted, 1e-10 * wanted.abs());
+        }
+        assert_eq!(get(&mut model, "F_k[1]") < 0.0, n < 30.0);
+        // Towards the load the same bolt is pressed; where nothing is pulled it has its preload alone.
+        set(&mut model, "R", 3.0);
+        assert!(get(&mut model, "F_b[1]") < 0.0);
+        assert_eq!(get(&mut model, "F_bm[1]"), 60e3);
+    }
+    let text = more("96");
+    let heavy = "1000000 -0.5 3;300000 8 12;500000 -5 4";
+    for (law, power) in [("point", 3.0), ("line", 10.0 / 3.0)] {
+        let lives = [(upper, "100000"), (heavy, "200000")].map(|(upper, load)| {
+            let mut model = model(&scene(&said(&text, law, upper, load, "")));
+            set(&mut model, "psi", 0.0);
+            assert_eq!(get(&mut model, "S_h[1]"), f64::INFINITY);
+            near(
+                get(&mut model, "P_e[1]"),
+                load.parse::<f64>().expect("a load") * 30.0,
+                1e-6,
+            );
+            get(&mut model, "L_10[1]")
+        });
+        near(lives[0], libm::pow(3.0, power), 1e-12 * lives[0]);
+        near(lives[0] / lives[1], libm::pow(2.0, power), 1e-12 * 11.0);
+    }
+}
+
 /// Exact derivatives against differences, of every law and both rows, where the far side lifts and where it does not.
 #[test]
 fn derivatives() {

@@ -23,7 +23,6 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
         let width = size * n.draw.between(0.75, 2.0);
         n.set(name, width);
     }
-    corners(&mut n, 4);
     // The portal weighs half of the unit at least: all else moves the crane's force by a third of the size at most.
     let bodies = n.draw.rng.usize(1..4);
     list(&mut n, "portal", bodies, &mut |draw, _| {
@@ -51,8 +50,47 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
             row(draw, &[(&s::A_W, area), (&s::H_W, height)])
         });
     }
+    travel(&mut n);
     working_range(&mut n, [-PI, PI]);
     table
+}
+
+/// Travel with one driven wheel of each corner and brakes that stop the crane; without it no wheel is driven, and without wind
+/// areas there is no storm.
+fn travel(n: &mut Node) {
+    let (weight, blown) = (n.draw.natural(&s::V_0), n.has("wind"));
+    let travels = n.has("travel");
+    list(n, "corners", 4, &mut |draw, _| {
+        let wheels = draw.rng.u32(1..17).to_string();
+        let mut corner = Table::from_iter([(s::N_W.id.to_owned(), wheels.into())]);
+        if travels {
+            corner.insert(s::N_DR.id.to_owned(), "1".into());
+        }
+        Value::Table(corner)
+    });
+    let Some(mut travel) = n.child("travel") else { return };
+    let size = travel.draw.scale[0];
+    travel.set("D_t", 0.05 * size);
+    travel.set("d_j", 0.01 * size);
+    for (name, least, most) in [
+        ("f_r", 1e-5 * size, 1e-4 * size),
+        ("gamma_t", 1e-4, 0.02),
+        ("mu_j", 0.001, 0.05),
+    ] {
+        if travel.has(name) {
+            let value = travel.draw.between(least, most);
+            travel.set(name, value);
+        }
+    }
+    // More than the wind and the slope ever push.
+    travel.set("F_br", 10.0 * weight);
+    travel.set("z_m", 4.0);
+    if !blown {
+        travel.remove(&["storm"]);
+    }
+    if let Some(mut storm) = travel.child("storm") {
+        storm.set("z_c", 4.0);
+    }
 }
 
 /// So many corners with their wheels.

@@ -34,6 +34,13 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     if let Some(mut capacity) = n.child("capacity") {
         curve(&mut capacity, weight, size);
     }
+    if let Some(mut bolts) = n.child("bolts") {
+        let count = f64::from(bolts.draw.rng.u32(3..201));
+        bolts.set("n_b", count);
+    }
+    if n.text("law") == Some("linear") {
+        n.remove(&["life"]);
+    }
     working_range(&mut n, [-PI, PI]);
     table
 }

@@ -8,6 +8,8 @@ use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::{One, quantities};
 use crate::kernel::variable::Fault;
+use crate::parts::safety::safety;
+use crate::parts::travel::stopped;
 
 quantities! {
     /// The brakes: their force at wheels or tow rope, all together, in N.
@@ -56,16 +58,14 @@ impl<C: Calc> TrolleyBraking<C> {
             return Err(Fault::outside(message).about(&s::F_BR));
         }
         let rate = (**gravity * (brakes.f_br - drives) / borne).def(&s::A_BR);
+        let [time, way] = stopped(profile.v_c, rate);
         Ok(TrolleyBraking {
             drives,
             asked,
-            safety: match asked.value() > 0.0 {
-                true => (brakes.f_br / asked).def(&s::NU_BR),
-                false => C::known(&s::NU_BR, f64::INFINITY).over(asked).over(brakes.f_br),
-            },
+            safety: safety(brakes.f_br, asked, &s::NU_BR),
             rate,
-            time: (profile.v_c / rate).def(&s::T_BR),
-            way: (profile.v_c.square() / rate.scaled(2.0)).def(&s::S_BR),
+            time: time.def(&s::T_BR),
+            way: way.def(&s::S_BR),
         })
     }
 }

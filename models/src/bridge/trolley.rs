@@ -5,6 +5,7 @@ use crate::bridge::symbols as s;
 use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
+use crate::parts::safety::safety;
 use crate::parts::travel::{along, at_motor, passed, sense};
 
 /// W = G_s + Q, in N.
@@ -139,13 +140,9 @@ impl<C: Calc> Grip<C> {
         let borne = unit.g_t + *weight;
         let (_, cos) = unit.gamma.sin_cos();
         let force = (driven.mu_a * driven.n_dr / unit.n_w * borne * cos).def(&s::F_AD);
-        let asked = forces.total.abs();
         Grip {
             force,
-            safety: match asked.value() > 0.0 {
-                true => (force / asked).def(&s::K_AD),
-                false => C::known(&s::K_AD, f64::INFINITY).over(force).over(asked),
-            },
+            safety: safety(force, forces.total.abs(), &s::K_AD),
             most: (**gravity * (force - forces.against) / borne).def(&s::A_AD),
         }
     }

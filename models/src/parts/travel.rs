@@ -1,4 +1,4 @@
-//! What the travel of a trolley on its rails asks for, and of its motor.
+//! What travel on rails asks for, of a motor, and of a stop.
 
 use crate::kernel::calc::Calc;
 
@@ -33,4 +33,9 @@ pub fn at_motor<C: Calc>(power: C, efficiency: C) -> C {
     } else {
         power / efficiency
     }
+}
+
+/// Time (s) and way (m) of a stop from a speed (m/s) at a deceleration (m/s²): v/a, v²/(2a).
+pub fn stopped<C: Calc>(speed: C, rate: C) -> [C; 2] {
+    [speed / rate, speed.square() / rate.scaled(2.0)]
 }

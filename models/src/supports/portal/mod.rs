@@ -25,6 +25,8 @@
 //! | `portal.wheels` | [`wheels::CornerLoad::new`] | division |
 //! | `portal.circle` | [`circle::Circle::new`], [`circle::hinged_peak`] | amplitude of a harmonic; exact derivative |
 //! | `portal.tipping` | [`tipping::edges`] | Ports001, 7.1.4 |
+//!
+//! How it [travels](crate::supports::portal::travel), and what holds it in a storm, is told where the scene has it.
 
 pub mod checks;
 pub mod circle;
@@ -35,5 +37,6 @@ pub mod scene;
 pub mod stages;
 pub mod symbols;
 pub mod tipping;
+pub mod travel;
 pub mod weights;
 pub mod wheels;

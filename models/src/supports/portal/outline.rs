@@ -8,12 +8,16 @@ use crate::supports::portal::symbols as s;
 pub const OUTLINE: Outline = Outline {
     inputs: chapters!(
         portal_place "", portal_corners "corners", portal_bodies "portal", portal_upper "upper", load "Q", load "R",
-        portal_wind "wind", portal_areas "wind.areas", motion, limits
+        portal_wind "wind", portal_areas "wind.areas", portal_travel "travel", portal_storm "travel.storm", motion, limits
     ),
     constants: &[
         ("portal_weights", &[Stage("still"), Stage("own")]),
         ("portal_slewing", &[Stage("slewing")]),
         ("portal_circle", &[Stage("circle")]),
+        ("portal_travel", &[Stage("rolling"), Stage("blown"), Stage("resisting")]),
+        ("portal_motors", &[Stage("driving")]),
+        ("portal_stop", &[Stage("stopping")]),
+        ("portal_storm", &[Stage("storming")]),
     ],
     sections: &[
         ("portal_moments", &[Stage("moments")]),
@@ -22,6 +26,8 @@ pub const OUTLINE: Outline = Outline {
         ("portal_hinged", &[Stage("hinged")]),
         ("portal_wheels", &[Stage("loads"), Stage("top")]),
         ("portal_tipping", &[Stage("edges")]),
+        ("portal_grip", &[Stage("pushing"), Stage("grips")]),
+        ("portal_tied", &[Stage("tied")]),
     ],
     table: listed!(s: M_X, M_Y, N_TOP, N_LOW),
     curves: &[
@@ -37,13 +43,26 @@ pub const OUTLINE: Outline = Outline {
         Greatest::new(&s::H_MAX, Most::Greatest, &s::H),
         Greatest::new(&s::N_4_MIN, Most::Least, &s::N_4),
         Greatest::new(&s::K_MIN, Most::Least, &s::K),
+        Greatest::new(&s::K_ST_MIN, Most::Least, &s::K_ST),
+        Greatest::new(&s::K_BR_MIN, Most::Least, &s::K_BR),
+        Greatest::new(&s::K_S_MIN, Most::Least, &s::K_S),
+        Greatest::new(&s::U_MAX, Most::Greatest, &s::U),
     ],
-    summary: &[],
-    sensitivity: listed!(s: F_W_MAX, N_4_MIN, K_MIN),
+    summary: listed!(s: P_T, U_T, P_A, U_A, A_BR, S_BR, F_HD, U_HD, F_CL, F_C1, U_C),
+    sensitivity: listed!(s: F_W_MAX, N_4_MIN, K_MIN, K_ST_MIN),
     limits: &[
         Limit::at_most("portal_wheel", &s::F_W_MAX),
         Limit::at_least("portal_lift", &s::N_4_MIN),
         Limit::at_least("portal_tipping", &s::K_MIN),
+        Limit::within("portal_power", &s::U_T, 1.0),
+        Limit::within("portal_start", &s::U_A, 1.0),
+        Limit::within("portal_hold", &s::U_HD, 1.0),
+        Limit::at_most("portal_stop", &s::S_BR),
+        Limit::at_least("portal_grip", &s::K_ST_MIN),
+        Limit::at_least("portal_sliding", &s::K_BR_MIN),
+        Limit::within("portal_clamps", &s::U_C, 1.0),
+        Limit::at_least("portal_storm", &s::K_S_MIN),
+        Limit::at_most("portal_anchors", &s::U_MAX),
     ],
     uses: &[],
     forces: listed!(s: N_R, N_H, H),

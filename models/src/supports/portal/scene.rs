@@ -7,11 +7,13 @@ use crate::component::outline::{Limit, Outline};
 use crate::component::sheet::{Check, Drawing};
 use crate::component::standing::Standing;
 use crate::kernel::diagnostic::Diagnostic;
+use crate::kernel::gravity;
 use crate::kernel::group::One;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Kind, Values};
 use crate::kernel::symbol::Symbol;
 use crate::parts::motion::Motion;
+use crate::parts::motor;
 use crate::parts::plane::Point;
 use crate::supports::plan::{LeftOpen, drawn, each};
 use crate::supports::portal::checks::{agreements, places};
@@ -20,6 +22,7 @@ use crate::supports::portal::load::Base;
 use crate::supports::portal::outline::OUTLINE;
 use crate::supports::portal::stages::{Given, PortalCrane};
 use crate::supports::portal::symbols as s;
+use crate::supports::portal::travel::scene::{TRAVEL, TravelScene};
 use crate::supports::portal::weights::{Blowing, PortalBody, SlewingBody, WindArea};
 use crate::supports::portal::wheels::{CornerWheels, FRAMES, Hinged, Sideways};
 
@@ -35,11 +38,12 @@ pub const KEYS: &[Key] = keys! { s:
     Key::new("portal", Kind::Tables(PORTAL, MANY), "Bodies of the portal, with its legs and travel gear.").optional(),
     Key::new("upper", Kind::Tables(UPPER, MANY), "Bodies of the upper works, with boom and counterweight.").optional(),
     Key::part("wind", WIND, "Wind on the crane."),
+    TRAVEL,
     Key::table("motion", MOTION, "Working range of slewing, over which the corner loads are looked through."),
     Key::part("limits", LIMITS, "What results may come to at most, or at least.")
 };
 
-static CORNER: &[Key] = keys! { s: N_W > 0 };
+static CORNER: &[Key] = keys! { s: N_W > 0, N_DR >= 0 [optional] };
 static PORTAL: &[Key] = keys! { s: G_P [or_mass], X_P [usually(0.0)], Y_P [usually(0.0)] };
 static UPPER: &[Key] = keys! { s: G_U [or_mass], R_U };
 static AREA: &[Key] = keys! { s: A_W >= 0, H_W >= 0 };
@@ -47,7 +51,7 @@ static WIND: &[Key] = keys! { s: P_W >= 0, CHI_W;
     Key::new("areas", Kind::Tables(AREA, MANY), "Areas on which it acts, with their heights.")
 };
 const MOTION: &[Key] = &Motion::keys([&s::FROM, &s::TO], &s::PSI, (&s::OMEGA, "Angular velocity of slewing."));
-const LIMITS: &[Key] = &Limit::keys::<4>(OUTLINE.limits);
+const LIMITS: &[Key] = &Limit::keys::<9>(OUTLINE.limits);
 
 /// A crane on a portal as the scene describes it; SI.
 #[derive(Clone, Debug)]
@@ -84,13 +88,14 @@ impl Described for PortalScene {
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "portal_symbol",
         own: &[s::ALL],
-        shared: &[],
+        shared: &[motor::ALL, gravity::ALL],
     };
 
-    fn read(v: &Values, _: f64, found: &mut Vec<Diagnostic>) -> Option<(PortalScene, Motion)> {
+    fn read(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<(PortalScene, Motion)> {
         let one = |symbol: &'static Symbol| v.of(symbol).map(|value| One(symbol, value));
         let range = Motion::read(v.table("motion")?, found)?;
         let wind = v.table("wind");
+        let travel = TravelScene::read(v, gravity, found)?;
         let given = Given {
             psi: One(&s::PSI, range.from),
             omega: One(&s::OMEGA, range.speed),
@@ -103,6 +108,12 @@ impl Described for PortalScene {
             wind: v.part("wind", Blowing::read)?,
             areas: wind.map_or(Some(Vec::new()), |wind| each(wind, "areas", WindArea::read))?,
             sideways: Sideways::read(v)?,
+            gravity: travel.gravity,
+            wheels: travel.wheels,
+            travel: travel.travel,
+            motors: travel.motors,
+            driven: travel.driven,
+            storm: travel.storm,
             kind: Hinged(v.text("frame") == Some(FRAMES[1])),
             open: LeftOpen::read(v, &[&s::R, &s::Q]),
         };
@@ -128,13 +139,21 @@ impl Described for PortalScene {
         } else {
             "portal_rigid"
         };
-        vec!["portal_level_static", kind, "portal_ground"]
+        let travel = this.given.travel.map(|_| "portal_travel");
+        let storm = this.given.storm.map(|_| "portal_storm");
+        let own = ["portal_level_static", kind, "portal_ground"];
+        own.into_iter().chain(travel).chain(storm).collect()
     }
 
     fn uncovered(this: &Description<PortalScene>) -> Vec<&'static str> {
         let wind = this.given.wind.is_none().then_some("wind");
+        let travel = match (this.given.travel, this.given.storm) {
+            (None, _) => "portal_travel",
+            (_, None) => "portal_storm",
+            _ => "portal_rest",
+        };
         wind.into_iter()
-            .chain(["portal_travel", "dynamic_coefficients", "strength", "load_cases"])
+            .chain([travel, "dynamic_coefficients", "strength", "load_cases"])
             .collect()
     }
 

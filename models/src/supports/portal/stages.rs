@@ -11,6 +11,12 @@ use crate::supports::portal::corners::{LiftedLeg, Lowest, four_legs, hinged, rig
 use crate::supports::portal::load::{Base, PortalMoments, SlewingLoad};
 use crate::supports::portal::symbols as s;
 use crate::supports::portal::tipping::{Edge, edges};
+use crate::supports::portal::travel::given::{CornerDrive, PortalMotors, PortalStorm, PortalTravel, PortalWheels};
+use crate::supports::portal::travel::grip::{WheelForces, WheelGrip};
+use crate::supports::portal::travel::motor::TravelMotor;
+use crate::supports::portal::travel::resistance::{PortalResistance, TravelWind, rolling};
+use crate::supports::portal::travel::stop::PortalStop;
+use crate::supports::portal::travel::storm::{StormEdge, StormForces};
 use crate::supports::portal::weights::{Blowing, PortalBody, SlewingBody, StillMoment, WindArea, upper_moment};
 use crate::supports::portal::wheels::{CornerLoad, CornerWheels, Hinged, Sideways, top};
 
@@ -28,6 +34,12 @@ stages! {
         Parameter wind: Option<Blowing<C>>,
         Parameter areas: Vec<WindArea<C>>,
         Parameter sideways: Sideways<C>,
+        Parameter gravity: Option<One<C>>,
+        Parameter wheels: Option<PortalWheels<C>>,
+        Parameter travel: Option<PortalTravel<C>>,
+        Parameter motors: Option<PortalMotors<C>>,
+        Parameter driven: Vec<CornerDrive<C>>,
+        Parameter storm: Option<PortalStorm<C>>,
         Fixed kind: Hinged,
         Fixed open: LeftOpen,
     } find {
@@ -46,6 +58,16 @@ stages! {
             CornerLoad::new(kind, sideways, corners[each], rigid[each], hinged[each]);
         top: C = top(loads) => N_TOP;
         edges[corners]: Vec<Edge<C>> = edges(base, still, own, load, reach, heading);
+        rolling: C = rolling(wheels[!]) => W;
+        blown: TravelWind<C> = TravelWind::new(travel[!], wind[!], areas);
+        resisting: PortalResistance<C> =
+            PortalResistance::new(gravity[!], wheels[!], travel[!], slewing, rolling, blown[?]);
+        driving: TravelMotor<C> = TravelMotor::new(wheels[!], travel[!], motors[!], resisting);
+        stopping: PortalStop<C> = PortalStop::new(gravity[!], travel[!], slewing, resisting, driving);
+        pushing: WheelForces<C> = WheelForces::new(driven, resisting, stopping);
+        grips[each driven]: Vec<WheelGrip<C>> = WheelGrip::new(travel[!], driven[each], pushing, loads[each]);
+        storming: StormForces<C> = StormForces::new(travel[!], storm[!], areas, still, rolling, blown);
+        tied[each corners]: Vec<StormEdge<C>> = StormEdge::new(travel[!], storming, edges[each]);
     }
 }
 

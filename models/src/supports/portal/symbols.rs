@@ -1,6 +1,8 @@
 //! Every quantity of a crane on a portal.
 
+pub use crate::kernel::gravity::G;
 use crate::kernel::symbol::{Enumeration, Range, symbols};
+pub use crate::parts::motor::{J_M, LAMBDA_M, P_N};
 
 /// The leg that is lifted.
 pub static LEGS: Enumeration = Enumeration {
@@ -44,6 +46,24 @@ symbols! {
     A_W: "A_w" "A_(\"w\" i)" M2 / M2 [not_negative], "Wind area with its shape coefficient.", "input";
     H_W: "h_w" "h_(\"w\" i)" M / M [not_negative], "Centre of a wind area, above the rails.", "input";
     K_L: "k_l" "k_\"l\"" ONE / ONE [not_negative, unconfirmed], "Lateral force of a corner's wheels over what the corner bears.", "input";
+    V_T: "v_t" "v_\"t\"" M_PER_S / M_PER_MIN [positive], "Speed of travel.", "input";
+    A_T: "a_t" "a_\"t\"" M_PER_S2 / M_PER_S2 [positive], "Acceleration of a start of travel.", "input";
+    GAMMA_T: "gamma_t" "gamma_\"t\"" RAD / DEG [from_to(0.0, 0.1)], "Slope of the rails, up which the crane travels, and down which it is to stop.", "input";
+    D_T: "D_t" "D_\"t\"" M / MM [positive], "Diameter of the wheels.", "input";
+    D_J: "d_j" "d_\"j\"" M / MM [not_negative], "Diameter at which the wheels' bearings rub.", "input";
+    F_R: "f_r" "f_\"r\"" M / MM [not_negative, unconfirmed], "Lever arm of the rolling resistance.", "input";
+    MU_J: "mu_j" "mu_\"j\"" ONE / ONE [from_to(0.0, 1.0), unconfirmed], "Friction coefficient of the wheels' bearings.", "input";
+    BETA_T: "beta_t" "beta_\"t\"" ONE / ONE [within(Range::new(1.0, 10.0)), unconfirmed], "Factor of the wheels' resistance for flanges that rub on the rails.", "input";
+    MU_A: "mu_a" "mu_\"a\"" ONE / ONE [above_to(0.0, 1.0), unconfirmed], "Coefficient of adhesion between wheel and rail.", "input";
+    F_BR: "F_br" "F_\"br\"" N / KN [positive], "Force of the brakes of travel at the driven wheels, all together.", "input";
+    K_W: "k_w" "k_\"w\"" ONE / ONE [positive, unconfirmed], "Safety with which brakes, clamps and anchors hold the wind.", "input";
+    N_DR: "n_dr" "n_(\"dr\" i)" ONE / ONE [within(Range::new(0.0, 64.0))], "Number of driven wheels of a corner, which are braked too.", "input";
+    Z_M: "z_m" "z_\"m\"" ONE / ONE [within(Range::new(1.0, 64.0))], "Number of travel motors.", "input";
+    I_T: "i_t" "i_\"t\"" ONE / ONE [positive], "Ratio of a motor's speed to that of the wheels.", "input";
+    ETA_T: "eta_t" "eta_\"t\"" ONE / ONE [above_to(0.0, 1.0)], "Efficiency between motor and wheels.", "input";
+    P_S: "p_s" "p_\"s\"" PA / PA [positive], "Pressure of the wind out of service.", "input";
+    Z_C: "z_c" "z_\"c\"" ONE / ONE [within(Range::new(1.0, 64.0))], "Number of rail clamps.", "input";
+    F_C: "F_c" "F_\"c\"" N / KN [positive], "Force along the rails that a rail clamp holds.", "input";
 
     // Weights.
     V_0: "V_0" "V_0" N / KN, "Weight of the crane without load.", "derived";
@@ -81,6 +101,47 @@ symbols! {
     M_OV: "M_ov" "M_(\"o\" i)" N_M / KN_M, "Moment of load and wind that tips the crane about an edge; negative where they hold it.", "[Ports001, 7.1.4]";
     K: "K" "K_i" ONE / ONE [infinite("where load and wind do not tip the crane about this edge")], "Safety against tipping about an edge: 1 in front, 2 the left rail, 3 behind, 4 the right rail.", "[Ports001, 7.1.4]";
 
+    // Travel.
+    W: "w" "w" ONE / ONE [not_negative], "Resistance of the wheels without flanges, over what they bear.", "equilibrium";
+    A_SUM: "A_sum" "A_\"w\"" M2 / M2 [not_negative], "Sum of the wind areas.", "derived";
+    F_0: "F_0" "F_0" N / KN [not_negative], "Resistance of the wheels without flanges.", "[Ports001, 7.2]";
+    F_F: "F_f" "F_\"f\"" N / KN [not_negative], "Resistance of the wheels with their flanges.", "[Ports001, 7.2]";
+    F_GAMMA: "F_gamma" "F_gamma" N / KN [not_negative], "Force down the slope of the rails.", "equilibrium";
+    F_WT: "F_wt" "F_\"wt\"" N / KN [not_negative], "Force of the wind along the rails.", "[Ports001, 7.2]";
+    F_T: "F_t" "F_\"t\"" N / KN [not_negative], "Force that steady travel asks for, up the slope and into the wind.", "[Ports001, 7.2]";
+    F_A: "F_a" "F_\"a\"" N / KN [not_negative], "Force that accelerates the crane with its load.", "Newton and Euler";
+    F_TA: "F_ta" "F_\"ta\"" N / KN [not_negative], "Force that a start of travel asks of the driven wheels.", "[Ports001, 7.2]";
+    N_T: "n_t" "n_\"t\"" PER_S / PER_MIN, "Speed of the motors.", "derived";
+    P_T: "P_t" "P_\"t\"" W / KW, "Power of each motor in steady travel.", "[Ports001, 7.2]";
+    U_T: "u_t" "u_\"t\"" ONE / ONE, "Power of each motor in steady travel over its rated power.", "derived";
+    M_J: "m_J" "m_J" KG / T, "Mass at the wheels that is as hard to accelerate as the shafts of all motors.", "Newton and Euler";
+    P_A: "P_a" "P_\"a\"" W / KW, "Power of each motor at the end of a start.", "[Ports001, 7.2]";
+    U_A: "u_a" "u_\"a\"" ONE / ONE, "Power of each motor at the end of a start over the greatest that it may give.", "derived";
+    F_DO: "F_do" "F_\"do\"" N / KN, "Force that drives the crane on that is to stop: wind from behind and the slope, less the wheels' resistance.", "[Ports001, 7.2]";
+    F_HD: "F_hd" "F_\"hd\"" N / KN, "Force that the brakes must hold at work; negative where the wheels' resistance holds it.", "[Ports001, 7.2]";
+    U_HD: "u_hd" "u_\"hd\"" ONE / ONE, "What the brakes must hold at work over their force.", "derived";
+    A_BR: "a_br" "a_\"br\"" M_PER_S2 / M_PER_S2, "Deceleration of a stop by the brakes.", "Newton and Euler";
+    T_BR: "t_br" "t_\"br\"" S / S, "Time of a stop by the brakes.", "derived";
+    S_BR: "s_br" "s_\"br\"" M / M, "Way of a stop by the brakes.", "derived";
+    F_TB: "F_tb" "F_\"tb\"" N / KN, "Force of the driven wheels on the rails in a stop: that of the brakes, less what stops the motors' shafts.", "Newton and Euler";
+    N_ALL: "n_all" "n_\"dr\"" ONE / ONE, "Number of all driven wheels.", "derived";
+    F_1A: "F_1a" "F_\"1a\"" N / KN, "Force of a driven wheel in a start.", "derived";
+    F_1B: "F_1b" "F_\"1b\"" N / KN, "Force of a driven wheel in a stop.", "derived";
+    F_AD: "F_ad" "F_(\"ad\" i)" N / KN [not_negative], "Force that a wheel of a corner can give before it slips.", "Coulomb";
+    K_ST: "k_st" "k_(\"st\" i)" ONE / ONE [infinite("where the corner has no driven wheels")], "Safety of a corner's driven wheels against slipping in a start.", "Coulomb";
+    K_BR: "k_br" "k_(\"br\" i)" ONE / ONE [infinite("where the corner has no driven wheels")], "Safety of a corner's driven wheels against sliding in a stop.", "Coulomb";
+
+    // Out of service.
+    F_SW: "F_sw" "F_\"sw\"" N / KN [not_negative], "Force of the wind out of service, along the rails.", "[Ports001, 7.2]";
+    M_SW: "M_sw" "M_\"sw\"" N_M / KN_M [not_negative], "Moment of the wind out of service about the rails' height.", "equilibrium";
+    F_0S: "F_0s" "F_\"0s\"" N / KN [not_negative], "Resistance of the wheels without flanges, of the crane without load.", "[Ports001, 7.2]";
+    F_GS: "F_gs" "F_(gamma \"s\")" N / KN [not_negative], "Force down the slope of the rails, of the crane without load.", "equilibrium";
+    F_CL: "F_cl" "F_\"cl\"" N / KN, "Force along the rails that all rail clamps must hold; negative where the wheels' resistance holds it.", "[Ports001, 7.2]";
+    F_C1: "F_c1" "F_\"c1\"" N / KN, "Force along the rails that a rail clamp must hold.", "derived";
+    U_C: "u_c" "u_\"c\"" ONE / ONE, "What a rail clamp must hold over what it holds.", "derived";
+    K_S: "K_s" "K_(\"s\" i)" ONE / ONE [infinite("where the wind has no moment")], "Safety against tipping about an edge by the wind out of service, without load, untied: 1 in front, 2 the left rail, 3 behind, 4 the right rail.", "[Ports001, 7.2]";
+    U: "U" "U_i" N / KN, "Pull down that the anchors across from an edge must give together against the wind out of service; negative where none is needed.", "equilibrium";
+
     // The full circle, in closed form.
     N_MEAN: "N_mean" "N_\"mean\"" N / KN, "What the most loaded corner of the rigid portal bears on the mean of all slewing angles, on four legs.", "derived";
     N_AMP: "N_amp" "N_\"amp\"" N / KN [not_negative], "Amplitude of the corner loads of the rigid portal on four legs, as the crane slews.", "derived";
@@ -96,5 +157,9 @@ symbols! {
     H_MAX: "H_max" "H_max" N / KN, "Greatest lateral force of a corner's wheels in the working range.", "derived";
     N_4_MIN: "N_4_min" "N_(4,min)" N / KN, "Least corner load of the rigid portal on four legs in the working range; negative where a leg is lifted.", "derived";
     K_MIN: "K_min" "K_min" ONE / ONE [infinite("where load and wind tip the crane about no edge")], "Least safety against tipping in the working range.", "derived";
+    K_ST_MIN: "k_st_min" "k_\"st,min\"" ONE / ONE [infinite("where no wheel is asked for a force")], "Least safety of driven wheels against slipping in a start in the working range.", "derived";
+    K_BR_MIN: "k_br_min" "k_\"br,min\"" ONE / ONE [infinite("where no wheel is asked for a force")], "Least safety of driven wheels against sliding in a stop in the working range.", "derived";
+    K_S_MIN: "K_s_min" "K_(\"s\",min)" ONE / ONE [infinite("where the wind has no moment")], "Least safety against tipping by the wind out of service in the working range.", "derived";
+    U_MAX: "U_max" "U_max" N / KN, "Greatest pull down of the anchors across from an edge in the working range; negative where none is needed.", "derived";
     AGREEMENT: "agreement" "delta" ONE / ONE, "Difference of two independent ways, relative to the largest value.", "derived";
 }

@@ -4,6 +4,7 @@ use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 use crate::parts::plane::Point;
+use crate::parts::safety::safety;
 use crate::supports::portal::corners::{CORNERS, all, signed};
 use crate::supports::portal::load::Base;
 use crate::supports::portal::symbols as s;
@@ -12,9 +13,11 @@ use crate::supports::portal::weights::StillMoment;
 /// What holds and what tips the crane about an edge, in N·m.
 #[derive(Clone, Copy, Debug)]
 pub struct Edge<C> {
-    holds: C,
+    pub holds: C,
     tips: C,
     safety: C,
+    /// Distance of the edge from that across, in m.
+    pub width: C,
 }
 results! { each Edge as e => { M_ST: e.holds; M_OV: e.tips; K: e.safety; } }
 
@@ -41,11 +44,11 @@ pub fn edges<C: Calc>(
         let holds = signed(signed(still.weight * half, own, !out), *upper * heading, !out).def(&s::M_ST);
         let arm = signed(C::constant(0.0), **reach * heading, out) - half;
         let tips = signed(**load * arm, wind, out).def(&s::M_OV);
-        let safety = if tips.value() > 0.0 {
-            (holds / tips).def(&s::K)
-        } else {
-            C::known(&s::K, f64::INFINITY).over(tips).over(holds)
-        };
-        Edge { holds, tips, safety }
+        Edge {
+            holds,
+            tips,
+            safety: safety(holds, tips, &s::K),
+            width,
+        }
     });
 }

@@ -29,7 +29,7 @@ quantities! {
 pub struct CornerLoad<C> {
     more: C,
     load: C,
-    wheel: C,
+    pub wheel: C,
     sideways: C,
 }
 results! { each CornerLoad as c => { D_N: c.more; N: c.load; F_W: c.wheel; H: c.sideways; } }

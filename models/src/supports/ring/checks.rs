@@ -1,8 +1,11 @@
-//! Independent ways to the forces on the rolling elements.
+//! Independent ways to the forces on the rolling elements and the bolts.
+
+use std::f64::consts::TAU;
 
 use crate::component::sheet::Check;
 use crate::component::standing::Standing;
 use crate::component::telling::{fine, numbered};
+use crate::kernel::calc::Calc;
 use crate::supports::ring::law::RollingElements;
 use crate::supports::ring::symbols as s;
 
@@ -40,4 +43,24 @@ pub fn agreements(model: &mut Standing, rolling: &RollingElements, diameter: f64
     ];
     checks.extend(closed.map(|apart| Check::at_most("ring_linear", &s::AGREEMENT, apart, 1e-12)));
     checks
+}
+
+/// The pulls on all bolts, which fall linearly across their circle (m) from the greatest through the mean, against V and M.
+pub fn bolt_pulls(model: &mut Standing, [count, diameter]: [f64; 2]) -> Check {
+    let mut apart = 0.0_f64;
+    for at in fine(model.motion()).collect::<Vec<_>>() {
+        let [v, m, pull] = [&s::V, &s::M, &s::F_B].map(|symbol| numbered(model, symbol, at));
+        for case in 0..v.len() {
+            let (mean, mut force, mut moment) = (-v[case] / count, 0.0, 0.0);
+            for bolt in 0..count as usize {
+                let cosine = Calc::sin_cos(TAU * bolt as f64 / count).1;
+                let own = mean + (pull[case] - mean) * cosine;
+                (force, moment) = (force + own, moment + own * cosine * diameter / 2.0);
+            }
+            let whole = v[case] + 2.0 * m[case] / diameter;
+            apart = apart.max((force + v[case]).abs() / whole);
+            apart = apart.max((moment - m[case]).abs() / (whole * diameter / 2.0));
+        }
+    }
+    Check::at_most("ring_pulls", &s::AGREEMENT, apart, 1e-12)
 }

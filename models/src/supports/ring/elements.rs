@@ -17,7 +17,7 @@ quantities! {
 /// Forces on the rolling elements, in N; falls and means without dimension.
 #[derive(Clone, Copy, Debug)]
 pub struct RollingForces<C> {
-    whole: C,
+    pub whole: C,
     kappa: C,
     lambda: C,
     means: [C; 2],

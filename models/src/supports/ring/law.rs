@@ -14,6 +14,8 @@ use crate::supports::ring::symbols as s;
 pub const LAWS: [&str; 3] = ["linear", "line", "point"];
 /// Their exponents: springs, line contact, and point contact by Hertz.
 const EXPONENTS: [[u8; 2]; 3] = [[1, 1], [10, 9], [3, 2]];
+/// Exponents of the life over capacity and force: springs have none, rollers, balls.
+const LIVES: [[u8; 2]; 3] = [[1, 1], [10, 3], [3, 1]];
 /// Whether rolling elements bear pressure alone, or a second row holds the ring down, as scenes name it.
 pub const ROWS: [&str; 2] = ["pressure", "hold_down"];
 
@@ -29,6 +31,7 @@ const NEAR: f64 = 4e-15;
 #[derive(Clone, Debug)]
 pub struct RollingElements {
     exponent: [u8; 2],
+    pub life: [u8; 2],
     pub held_down: bool,
     pub cosines: Vec<f64>,
     /// Falls λ of the approach from zero up, each with κ and its derivative there: `solved` begins between two of them.
@@ -44,6 +47,7 @@ impl RollingElements {
         let cosine = |j: usize| Calc::sin_cos(TAU * j.min(count - j) as f64 / count as f64).1;
         let mut elements = RollingElements {
             exponent: EXPONENTS[law],
+            life: LIVES[law],
             held_down,
             cosines: (0..count).map(cosine).collect(),
             known: Vec::new(),

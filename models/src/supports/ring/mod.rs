@@ -19,14 +19,18 @@
 //! | `ring.elements` | [`elements::spreads`], [`elements::MomentAlone::new`] | Ports001, 6.3.1.1; implicit function |
 //! | `ring.contact` | [`contact::ContactStress::new`] | Ports001, 6.3.1.2; Hertz |
 //! | `ring.capacity` | [`capacity::static_loads`] | Rothe Erde |
+//! | `ring.bolts` | [`bolts::BoltForces::new`] | equilibrium of a rigid ring on springs |
+//! | `ring.life` | [`life::RacewayLife::new`] | Lundberg and Palmgren |
 //! | `ring.friction` | [`friction::by_elements`], [`friction::by_maker`] | Ports001, 6.3.1.3; Rothe Erde |
 
+pub mod bolts;
 pub mod capacity;
 pub mod checks;
 pub mod contact;
 pub mod elements;
 pub mod friction;
 pub mod law;
+pub mod life;
 mod outline;
 pub mod scene;
 pub mod stages;

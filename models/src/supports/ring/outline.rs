@@ -12,7 +12,7 @@ pub const OUTLINE: Outline = Outline {
     inputs: chapters!(
         ring_raceway "", load "Q", load "R", upper_bodies "upper", upper_slope "slope", upper_areas "areas",
         upper_cases "load_cases", ring_contact "contact", ring_capacity "capacity", ring_curve "capacity.curve",
-        ring_friction "friction", ring_maker "maker_friction", turning_drive "slewing_drive", turning_brake "slewing_drive.brake", turning_coupling "slewing_drive.coupling", turning_pinion "slewing_drive.pinion",
+        ring_friction "friction", ring_maker "maker_friction", ring_bolts "bolts", ring_life "life", turning_drive "slewing_drive", turning_brake "slewing_drive.brake", turning_coupling "slewing_drive.coupling", turning_pinion "slewing_drive.pinion",
         motion, limits
     ),
     constants: &CONSTANTS,
@@ -41,14 +41,16 @@ const OWN_CONSTANTS: [SectionOutline; 3] = [
     ("ring_hardness", &[Stage("hardness")]),
 ];
 
-const SECTIONS: [SectionOutline; 11] = joined(OWN_SECTIONS, drive::SECTIONS);
+const SECTIONS: [SectionOutline; 13] = joined(OWN_SECTIONS, drive::SECTIONS);
 
-const OWN_SECTIONS: [SectionOutline; 5] = [
+const OWN_SECTIONS: [SectionOutline; 7] = [
     ("upper_loads", &[Stage("loads")]),
     ("ring_elements", &[Stage("spreads")]),
     ("ring_contact", &[Stage("stresses")]),
     ("ring_static", &[Stage("statics")]),
     ("ring_friction", &[Stage("turning"), Stage("makers")]),
+    ("ring_bolts", &[Stage("bolted")]),
+    ("ring_life", &[Stage("lives")]),
 ];
 
 const CURVES: [Line; 8] = joined(OWN_CURVES, drive::CURVES);
@@ -61,9 +63,9 @@ const OWN_CURVES: [Line; 5] = [
     ("ring_least", None, &s::P_MIN),
 ];
 
-const EXTREMES: [Greatest; 24] = joined(OWN_EXTREMES, drive::EXTREMES);
+const EXTREMES: [Greatest; 29] = joined(OWN_EXTREMES, drive::EXTREMES);
 
-const OWN_EXTREMES: [Greatest; 11] = [
+const OWN_EXTREMES: [Greatest; 16] = [
     Greatest::new(&s::V_TOP, Most::Greatest, &s::V),
     Greatest::new(&s::H_TOP, Most::Greatest, &s::H),
     Greatest::new(&s::M_TOP, Most::Greatest, &s::M),
@@ -75,14 +77,23 @@ const OWN_EXTREMES: [Greatest; 11] = [
     Greatest::new(&s::S_0_MIN, Most::Least, &s::S_0),
     Greatest::new(&s::M_FN_MAX, Most::Greatest, &s::M_FN),
     Greatest::new(&s::M_FM_MAX, Most::Greatest, &s::M_FM),
+    Greatest::new(&s::F_B_MAX, Most::Greatest, &s::F_B),
+    Greatest::new(&s::S_B_MIN, Most::Least, &s::S_B),
+    Greatest::new(&s::F_K_MIN, Most::Least, &s::F_K),
+    Greatest::new(&s::S_H_MIN, Most::Least, &s::S_H),
+    Greatest::new(&s::L_10_MIN, Most::Least, &s::L_10),
 ];
 
-const LIMITS: [Limit; 14] = joined(OWN_LIMITS, drive::LIMITS);
+const LIMITS: [Limit; 18] = joined(OWN_LIMITS, drive::LIMITS);
 
-const OWN_LIMITS: [Limit; 5] = [
+const OWN_LIMITS: [Limit; 9] = [
     Limit::at_most("ring_force", &s::P_TOP),
     Limit::at_least("ring_uplift", &s::Q_LOW),
     Limit::at_most("ring_contact", &s::U_H_MAX),
     Limit::at_most("ring_use", &s::U_ST_MAX),
     Limit::at_least("ring_safety", &s::S_0_MIN),
+    Limit::at_least("ring_bolts", &s::S_B_MIN),
+    Limit::not_negative("ring_joint", &s::F_K_MIN),
+    Limit::at_least("ring_slip", &s::S_H_MIN),
+    Limit::at_least("ring_life", &s::L_10_MIN),
 ];

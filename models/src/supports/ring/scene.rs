@@ -19,12 +19,14 @@ use crate::supports::drive;
 use crate::supports::drive::checks::{StandingThere, about_the_axis};
 use crate::supports::drive::scene::{DRIVE, TurningScene};
 use crate::supports::plan::{LeftOpen, each};
+use crate::supports::ring::bolts::RingBolts;
 use crate::supports::ring::capacity::Equivalent;
-use crate::supports::ring::checks::agreements;
+use crate::supports::ring::checks::{agreements, bolt_pulls};
 use crate::supports::ring::contact::RollingContact;
 use crate::supports::ring::elements::Raceway;
 use crate::supports::ring::friction::{ElementFriction, FORMS, MakerForm, MakerFriction};
 use crate::supports::ring::law::{LAWS, ROWS, RollingElements};
+use crate::supports::ring::life::DynamicCapacity;
 use crate::supports::ring::outline::OUTLINE;
 use crate::supports::ring::stages::{Given, SlewingRing};
 use crate::supports::ring::symbols as s;
@@ -47,6 +49,8 @@ pub const KEYS: &[Key] = keys! { s:
     Key::part("capacity", CAPACITY, "The maker's load curve of the ring, and the equivalent loads that it asks for."),
     Key::part("friction", FRICTION, "Friction by the forces on all rolling elements, with the textbook's coefficient."),
     Key::part("maker_friction", MAKER, "Friction by a maker's form, with that maker's coefficient."),
+    Key::part("bolts", BOLTS, "Bolts of the ring, on one circle, with their preload."),
+    Key::part("life", LIFE, "Life of the raceway, of balls (law = \"point\") or rollers (law = \"line\")."),
     DRIVE, MOTION,
     Key::part("limits", LIMITS, "What results may come to at most, or at least.")
 };
@@ -59,10 +63,13 @@ static CAPACITY: &[Key] = keys! { s: K_V > 0 [usually(1.0)], K_R >= 0 [usually(5
     Key::new("curve", Kind::Tables(POINT, MANY), "Points of the load curve: the first without force, then with rising force.")
 };
 static FRICTION: &[Key] = keys! { s: MU_N >= 0 };
+static BOLTS: &[Key] =
+    keys! { s: N_B > 0, D_B > 0, F_P > 0, F_Y > 0, PHI_B >= 0 [usually(0.2)], MU_B >= 0 [usually(0.15)] };
+static LIFE: &[Key] = keys! { s: C_D > 0, K_H >= 0 [usually(0.75)] };
 static MAKER: &[Key] = keys! { s: MU_M >= 0;
     Key::new("form", Kind::Choice(&FORMS), "The maker's form: Rothe Erde's of ball or of roller rings, or another maker's of ball rings, in which the horizontal force counts 2.2 times.")
 };
-const LIMITS: &[Key] = &Limit::keys::<12>(OUTLINE.limits);
+const LIMITS: &[Key] = &Limit::keys::<15>(OUTLINE.limits);
 
 /// A slewing ring as the scene describes it; SI.
 #[derive(Clone, Debug)]
@@ -93,6 +100,21 @@ fn rolling(v: &Values, found: &mut Vec<Diagnostic>) -> Option<RollingElements> {
         law,
         v.text("rows") == Some(ROWS[1]),
     ))
+}
+
+/// Refuses part of a bolt, and the life of what is neither ball nor roller.
+fn bolted(v: &Values, found: &mut Vec<Diagnostic>) {
+    if let Some(bolts) = v.table("bolts")
+        && let Some(count) = bolts.of(&s::N_B).filter(|count| count.fract() != 0.0)
+    {
+        let what = format!("a ring with n_b = {count} bolts");
+        found.push(bolts.refuse(s::N_B.id, what, "no number of bolts", "give a whole number, from 3 on"));
+    }
+    if let Some(life) = v.table("life").filter(|_| v.text("law") == Some(LAWS[0])) {
+        let what = "life of rolling elements that yield linearly";
+        let help = "give law = \"point\" for balls or law = \"line\" for rollers: their lives go with other powers";
+        found.push(life.refuse(s::C_D.id, what, "neither balls nor rollers", help));
+    }
 }
 
 /// The points of the load curve; mistakes go to `found`.
@@ -172,6 +194,7 @@ impl Described for RingScene {
         let range = Motion::read(v.table("motion")?, found)?;
         let form = v.table("maker_friction").and_then(|table| table.text("form"));
         let turning = TurningScene::read(v, &["friction", "maker_friction"], gravity, found)?;
+        bolted(v, found);
         let given = Given {
             psi: One(&s::PSI, range.from),
             omega: One(&s::OMEGA, range.speed),
@@ -188,6 +211,8 @@ impl Described for RingScene {
                 .and_then(|table| table.of(&s::B_R))
                 .map(|length| One(&s::B_R, length)),
             equivalent: v.part("capacity", Equivalent::read)?,
+            bolts: v.part("bolts", RingBolts::read)?,
+            dynamic: v.part("life", DynamicCapacity::read)?,
             friction: v.part("friction", ElementFriction::read)?,
             maker: v.part("maker_friction", MakerFriction::read)?,
             rolling: rolling(v, found)?,
@@ -218,6 +243,8 @@ impl Described for RingScene {
 
     fn identities(this: &Description<RingScene>, model: &mut Standing) -> Vec<Check> {
         let mut checks = agreements(model, &this.given.rolling, this.given.raceway.d);
+        let bolts = this.given.bolts.as_ref();
+        checks.extend(bolts.map(|given| bolt_pulls(model, [given.n, given.d])));
         checks.extend(turned(this, model));
         checks
     }
@@ -233,14 +260,24 @@ impl Described for RingScene {
         } else {
             "ring_pressure"
         };
+        let bolts = this.given.bolts.map(|_| "ring_bolts");
+        let life = this.given.dynamic.map(|_| "ring_life");
         let own = ["upper_level_static", law, rows, "ring_rigid"];
-        own.into_iter().chain(this.turning.assumptions()).collect()
+        own.into_iter()
+            .chain(bolts)
+            .chain(life)
+            .chain(this.turning.assumptions())
+            .collect()
     }
 
     fn uncovered(this: &Description<RingScene>) -> Vec<&'static str> {
         let wind = this.given.areas.is_empty().then_some("wind");
+        let bolts = this.given.bolts.is_none().then_some("ring_bolts");
+        let life = this.given.dynamic.is_none().then_some("ring_life");
         wind.into_iter()
-            .chain(["upper_inertia", "ring_bolts", "dynamic_coefficients"])
+            .chain(bolts)
+            .chain(life)
+            .chain(["upper_inertia", "ring_rest", "dynamic_coefficients"])
             .chain(this.turning.uncovered())
             .collect()
     }

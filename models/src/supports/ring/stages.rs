@@ -9,11 +9,13 @@ use crate::kernel::symbol::{Symbol, listed};
 use crate::parts::load_curve::LoadCurve;
 use crate::supports::drive;
 use crate::supports::drive::fragments::{swung, turned, turned_by};
+use crate::supports::ring::bolts::{BoltForces, RingBolts};
 use crate::supports::ring::capacity::{Equivalent, StaticLoad, static_loads};
 use crate::supports::ring::contact::{ContactStress, Hardness, RollingContact};
 use crate::supports::ring::elements::{AllCases, MomentAlone, Raceway, RollingForces, spreads};
 use crate::supports::ring::friction::{ElementFriction, MakerForm, MakerFriction, by_elements, by_maker, rubbing};
 use crate::supports::ring::law::RollingElements;
+use crate::supports::ring::life::{DynamicCapacity, RacewayLife};
 use crate::supports::ring::symbols as s;
 use crate::supports::upper;
 use crate::supports::upper::fragments::{carried, slews};
@@ -31,6 +33,8 @@ composed! {
         Parameter equivalent: Option<Equivalent<C>>,
         Parameter friction: Option<ElementFriction<C>>,
         Parameter maker: Option<MakerFriction<C>>,
+        Parameter bolts: Option<RingBolts<C>>,
+        Parameter dynamic: Option<DynamicCapacity<C>>,
         Fixed rolling: RollingElements,
         Fixed curve: LoadCurve,
         Fixed form: MakerForm,
@@ -48,6 +52,8 @@ composed! {
         statics[cases]: Vec<StaticLoad<C>> = static_loads(curve, equivalent[!], loads);
         turning[each cases]: Vec<C> = by_elements(raceway, friction[!], spreads[each]) => M_FN;
         makers[each cases]: Vec<C> = by_maker(raceway, form, maker[!], loads[each]) => M_FM;
+        bolted[each cases]: Vec<BoltForces<C>> = BoltForces::new(bolts[!], loads[each]);
+        lives[each cases]: Vec<RacewayLife<C>> = RacewayLife::new(rolling, dynamic[!], loads[each], spreads[each]);
         ..swung();
         rubbing[works]: Vec<C> = rubbing(drive[!], turning[?], makers[?]) => M_FS;
         ..turned();

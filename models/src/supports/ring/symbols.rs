@@ -25,6 +25,14 @@ symbols! {
     M_CURVE: "M_curve" "M_(\"c\" i)" N_M / KN_M [not_negative], "Moment that may act with this force.", "input";
     MU_N: "mu_n" "mu_\"n\"" ONE / ONE [not_negative, unconfirmed], "Friction coefficient of the textbook's form, for the forces on all rolling elements.", "input";
     MU_M: "mu_m" "mu_\"m\"" ONE / ONE [not_negative, unconfirmed], "Friction coefficient of the maker's form, for no other form.", "input";
+    N_B: "n_b" "n_\"b\"" ONE / ONE [within(Range::new(3.0, 1000.0))], "Number of bolts of the ring that is checked, on one circle.", "input";
+    D_B: "D_b" "D_\"b\"" M / M [positive], "Diameter of the bolts' circle.", "input";
+    F_P: "F_p" "F_\"p\"" N / KN [positive], "Preload of a bolt, least of what its tightening leaves.", "input";
+    F_Y: "F_y" "F_\"y\"" N / KN [positive], "Force at which a bolt yields.", "input";
+    PHI_B: "phi_b" "phi_\"b\"" ONE / ONE [from_to(0.0, 1.0), unconfirmed], "Part of a pull on the joint that a bolt feels on top of its preload.", "input";
+    MU_B: "mu_b" "mu_\"b\"" ONE / ONE [from_to(0.0, 1.0), unconfirmed], "Friction coefficient of the bolted joint.", "input";
+    C_D: "C_d" "C_\"d\"" N / KN [positive], "Dynamic capacity of the raceway: axial force that it bears for a million revolutions.", "input";
+    K_H: "k_h" "k_\"h\"" ONE / ONE [not_negative, unconfirmed], "Factor of the horizontal force in the equivalent force of the life.", "input";
 
     // Rolling elements.
     V_M: "V_M" "V_(M i)" N / KN, "Vertical force and the couple on the diameter that stands for the moment.", "derived";
@@ -65,6 +73,15 @@ symbols! {
     M_FN: "M_fn" "M_(\"fn\" i)" N_M / KN_M, "Friction moment by the forces on all rolling elements, with the textbook's coefficient.", "[Ports001, 6.3.1.3]";
     M_FM: "M_fm" "M_(\"fm\" i)" N_M / KN_M, "Friction moment by the maker's form, with its coefficient.", "[Rothe Erde]";
 
+    // Bolts and life.
+    F_B: "F_b" "F_(\"b\" i)" N / KN, "Pull on the joint at the bolt that lies farthest from the side that the moment loads; negative where it is pressed.", "equilibrium";
+    F_BM: "F_bm" "F_(\"bm\" i)" N / KN, "Greatest force of a bolt, with its preload.", "equilibrium";
+    S_B: "S_b" "S_(\"b\" i)" ONE / ONE, "Safety of the bolts against yielding.", "derived";
+    F_K: "F_k" "F_(\"k\" i)" N / KN, "Clamping force that is left of a bolt's preload where the joint is pulled most; negative where it opens.", "equilibrium";
+    S_H: "S_h" "S_(\"h\" i)" ONE / ONE [infinite("where no horizontal force acts")], "Safety of the bolted joint against slip.", "Coulomb";
+    P_E: "P_e" "P_(\"e\" i)" N / KN, "Equivalent force of the life.", "equilibrium";
+    L_10: "L_10" "L_(10 i)" ONE / ONE, "Life of the raceway that nine rings of ten reach, in millions of revolutions.", "Lundberg and Palmgren";
+
     // The whole range.
     P_TOP: "P_top" "P_max" N / KN, "Greatest force on a rolling element in the working range, square to the ring.", "derived";
     P_LOW: "P_low" "P_min" N / KN, "Least force on a rolling element in the working range; negative where the hold-down row bears it.", "derived";
@@ -74,4 +91,9 @@ symbols! {
     S_0_MIN: "S_0_min" "S_(0,min)" ONE / ONE, "Least static safety in the working range.", "derived";
     M_FN_MAX: "M_fn_max" "M_(\"fn\",max)" N_M / KN_M, "Greatest friction moment in the working range, with the textbook's coefficient.", "derived";
     M_FM_MAX: "M_fm_max" "M_(\"fm\",max)" N_M / KN_M, "Greatest friction moment in the working range, by the maker's form.", "derived";
+    F_B_MAX: "F_b_max" "F_\"b,max\"" N / KN, "Greatest pull on the joint at a bolt in the working range.", "derived";
+    S_B_MIN: "S_b_min" "S_\"b,min\"" ONE / ONE, "Least safety of the bolts against yielding in the working range.", "derived";
+    F_K_MIN: "F_k_min" "F_\"k,min\"" N / KN, "Least clamping force of a bolt in the working range; negative where the joint opens.", "derived";
+    S_H_MIN: "S_h_min" "S_\"h,min\"" ONE / ONE [infinite("where no horizontal force acts")], "Least safety of the bolted joint against slip in the working range.", "derived";
+    L_10_MIN: "L_10_min" "L_(10,min)" ONE / ONE, "Least life of the raceway in the working range, in millions of revolutions: as long as if it always turned there.", "derived";
 }
