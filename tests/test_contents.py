@@ -87,7 +87,7 @@ SAID = {
     "lemniscate": ({"level_static", "forces"}, {"level_rigid", "rope", "sticking"}),
     "portal_004_motion": ({"level_swing", "slack", "hoist", "slewing", "counterweight", "stops", "forces_in_motion"},
                           {"oil", "creep", "forces"}),
-    "slewing_swing": ({"slewing_level_swing", "slewing_hook"}, {"slewing_level_rigid", "slewing_load"}),
+    "slewing_swing": ({"slewing_level_swing", "slewing_hook"}, {"slewing_level_rigid", "slewing_load", "slewing_coupling"}),
     "ellipsograph": ({"ellipsograph_rope"}, {"slewing_load"}),
     "ellipsograph_motion": ({"level_swing", "ellipsograph_masses", "counterweight", "slack", "hoist_ramp", "forces_in_motion"},
                             {"level_rigid", "ellipsograph_load", "ellipsograph_forces"}),
@@ -104,6 +104,7 @@ SAID = {
     "hydraulic_swing_slewing": ({"level_hydraulic", "rope", "hoist", "slewing"}, {"fixed_load", "stops"}),
     "portal_crane": ({"level_swing", "elastic_rope", "hoist_ramp", "slewing"}, {"rope", "slack", "hoist", "hoist_motor"}),
     "portal_by_speed": ({"level_swing", "elastic_rope", "hoist_motor", "slewing", "control", "control_to_place"}, {"rope", "hoist_ramp"}),
+    "slewing_coupling": ({"slewing_level_rigid", "slewing_load", "slewing_coupling"}, {"slewing_level_swing", "control"}),
     "slewing_by_speed": ({"slewing_level_swing", "control"}, {"slewing_load", "control_to_place"}),
     "load_on_ground": ({"level_swing", "elastic_rope", "hoist_ramp", "ground"}, {"rope", "slack", "air"}),
     "boat_hoist_003": ({"level_kinematic", "resistance"}, {"level_turning", "forces"}),
@@ -111,7 +112,7 @@ SAID = {
     "car_4x2": ({"level_kinematic"}, {"level_turning"}),
 }
 # Where the coordinate's name does not begin with theta.
-COORDINATES = {"slewing_swing": "psi_sl", "slewing_by_speed": "psi_sl", "ellipsograph": "phi", "ellipsograph_motion": "phi", "rope_motion": "phi", "curved_trunk": "phi",
+COORDINATES = {"slewing_swing": "psi_sl", "slewing_by_speed": "psi_sl", "slewing_coupling": "psi_sl", "ellipsograph": "phi", "ellipsograph_motion": "phi", "rope_motion": "phi", "curved_trunk": "phi",
                "curved_trunk_motion": "phi"}
 
 

@@ -18,6 +18,7 @@ fn seen<T: Described>(model: &MovingComponent) -> Vec<usize> {
     let rate = model.standing().index_of(model.standing().rate());
     let all = model.variables().iter().enumerate();
     let shown = all.filter(|(index, variable)| match variable.role {
+        Role::State if T::FOLLOWED.contains(&variable.symbol) => true,
         Role::State => Some(*index) == rate || [&unit::RAD, &unit::M, &unit::KG].contains(&variable.symbol.unit),
         Role::Output => [T::OUTLINE.forces, T::FOLLOWED].concat().contains(&variable.symbol),
         _ => false,
