@@ -15,8 +15,8 @@ quantities! {
 }
 
 quantities! {
-    /// How the drive's side turns, and the heat of the coupling so far.
-    DriveSide { omega_d: OMEGA_D, w_slip: W_SLIP }
+    /// How the drive's side turns, and how far the coupling has slipped.
+    DriveSide { omega_d: OMEGA_D, psi_slip: PSI_SLIP }
 }
 
 quantities! {
@@ -126,24 +126,28 @@ pub fn passing<C: Calc>(
     moment.def(&s::M_C)
 }
 
-/// The drive's side: its brake's moment where the coupling slips, and rates of its states.
+/// The drive's side: its brake's moment where the coupling slips, rates of its states, energy and heat.
 #[derive(Clone, Copy, Debug)]
 pub struct DriveRates<C> {
     braking: C,
     acceleration: C,
-    heat: C,
+    slipping: C,
+    power: C,
     energy: C,
+    heat: C,
 }
 results! { DriveRates as d => {
     M_RD: d.braking;
     D_OMEGA_D: d.acceleration;
-    D_W_SLIP: d.heat;
+    D_PSI_SLIP: d.slipping;
+    P_SLIP: d.power;
     E_D: d.energy;
+    W_SLIP: d.heat;
 } }
 
 impl<C: Calc> DriveRates<C> {
-    /// ω̇_d = (M_sl + M_Rd − M_c) / J_d and Ẇ = M_c (ω_d − ω) while it slips, as all that slews while it sticks; E = J_d ω_d² / 2.
-    /// [Ports001, 6.5.4]
+    /// ω̇_d = (M_sl + M_Rd − M_c) / J_d while it slips, as all that slews while it sticks; P = M_c (ω_d − ω), W = M_lim ψ_slip,
+    /// E = J_d ω_d² / 2. [Ports001, 6.5.4]
     pub fn new(
         motor: &SlewingDrive<C>,
         coupling: &SlipCoupling<C>,
@@ -154,29 +158,32 @@ impl<C: Calc> DriveRates<C> {
         omega: &C,
     ) -> DriveRates<C> {
         let (none, [slip, bar]) = (C::constant(0.0), slipping.bars());
-        let energy = (C::constant(0.5) * coupling.j_d * side.omega_d.square()).def(&s::E_D);
+        let stuck = DriveRates {
+            braking: none,
+            acceleration: turned.acceleration,
+            slipping: none,
+            power: none,
+            energy: (C::constant(0.5) * coupling.j_d * side.omega_d.square()).def(&s::E_D),
+            heat: (coupling.m_lim * side.psi_slip).def(&s::W_SLIP),
+        };
         if slip == Bar::Held {
-            return DriveRates {
-                braking: none,
-                acceleration: turned.acceleration,
-                heat: none,
-                energy,
-            };
+            return stuck;
         }
-        let against = motor.m_sl - *passing;
+        let (against, apart) = (motor.m_sl - *passing, side.omega_d - *omega);
         let braking = match bar {
             Bar::Held => -against,
             _ => dry(none).resistance(bar, side.omega_d, &drive(motor)),
         };
+        let acceleration = match bar {
+            Bar::Held => none,
+            _ => (against + braking) / coupling.j_d,
+        };
         DriveRates {
             braking: braking.def(&s::M_RD),
-            acceleration: match bar {
-                Bar::Held => none,
-                _ => (against + braking) / coupling.j_d,
-            }
-            .def(&s::D_OMEGA_D),
-            heat: (*passing * (side.omega_d - *omega)).def(&s::D_W_SLIP),
-            energy,
+            acceleration: acceleration.def(&s::D_OMEGA_D),
+            slipping: if slip == Bar::Forward { apart } else { -apart }.def(&s::D_PSI_SLIP),
+            power: (*passing * apart).def(&s::P_SLIP),
+            ..stuck
         }
     }
 }

@@ -189,6 +189,8 @@ impl Described for SlewingScene {
 
     const FOLLOWED: &'static [&'static Symbol] = listed!(s: M_SL, OMEGA_D, M_C, W_SLIP);
 
+    const TOGETHER: &'static [[&'static Symbol; 2]] = &[[&s::OMEGA_SL, &s::OMEGA_D]];
+
     fn read(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<(SlewingScene, Motion)> {
         let before = found.len();
         let [moves, swings] = suits(v, found);
@@ -260,7 +262,7 @@ impl Described for SlewingScene {
             coupling,
             side: coupling.map(|_| DriveSide {
                 omega_d: range.speed,
-                w_slip: 0.0,
+                psi_slip: 0.0,
             }),
             slipping: coupling.map(|_| SlipPast { slip: 0.0, way_d: 1.0 }),
             control,
@@ -398,7 +400,7 @@ impl Described for SlewingScene {
             load.map(&mut |symbol, value| stands("hook", symbol, value));
         }
         if let Some(side) = &self.given.side {
-            stands("coupling", &s::OMEGA_D, side.omega_d);
+            side.map(&mut |symbol, value| stands("coupling", symbol, value));
         }
         if let Some(latched) = &self.given.latched {
             latched.map(&mut |symbol, value| stands("latched", symbol, value));

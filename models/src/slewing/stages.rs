@@ -104,7 +104,7 @@ impl Component for SlewingCrane {
             &s::D_V_QY,
             &s::D_V_QZ,
             &s::D_OMEGA_D,
-            &s::D_W_SLIP,
+            &s::D_PSI_SLIP,
         ],
     ];
 
