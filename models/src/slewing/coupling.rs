@@ -123,7 +123,7 @@ pub fn passing<C: Calc>(
         }
         (None, _) => dry(none).resisted(motor.m_sl, bar, none, &drive(motor)) - coupling.j_d * turned.acceleration,
     };
-    moment.def(&s::M_C)
+    moment.def(&s::M_CD)
 }
 
 /// The drive's side: its brake's moment where the coupling slips, rates of its states, energy and heat.

@@ -187,7 +187,7 @@ impl Described for SlewingScene {
         ],
     };
 
-    const FOLLOWED: &'static [&'static Symbol] = listed!(s: M_SL, OMEGA_D, M_C, W_SLIP);
+    const FOLLOWED: &'static [&'static Symbol] = listed!(s: M_SL, OMEGA_D, M_CD, W_SLIP);
 
     const TOGETHER: &'static [[&'static Symbol; 2]] = &[[&s::OMEGA_SL, &s::OMEGA_D]];
 

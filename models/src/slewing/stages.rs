@@ -70,11 +70,11 @@ stages! {
         led: Led<C> = led(swinging) => _;
         resisting: C = resisting(turning, drive, past, stops, tilt[?], led[?], omega) => M_R_SL;
         turned: Turned<C> = Turned::new(drive, past, tilt[?], resisting, led[?], whole, carried, hung, omega);
+        rates: SwingingRates<C> = SwingingRates::new(swinging);
         passing: C = passing(
-            motor, coupling[!], slipping[!], turning, past, stops, tilt[?], led[?], turned, psi) => M_C, decided;
+            motor, coupling[!], slipping[!], turning, past, stops, tilt[?], led[?], turned, psi) => M_CD, decided;
         coupled: DriveRates<C> = DriveRates::new(
             motor, coupling[!], slipping[!], side[!], passing, turned, omega), decided;
-        rates: SwingingRates<C> = SwingingRates::new(swinging);
         struck: C = struck(driven[!], past) => W_BLOW;
         events: SlewingEvents<C> = SlewingEvents::new(turning, drive, past, stops, tilt[?], led[?], psi, omega);
         slackening: C = slackening(swinging, rope[!], slackness[!]) => Z_ROPE;
