@@ -91,7 +91,7 @@ fn together(of: &[VariableQuantity]) -> String {
         [(symbol, number)] => shown(symbol, *number),
         _ => {
             let line =
-                |(i, (symbol, number)): (usize, &VariableQuantity)| format!("{} thick ({i})", shown(symbol, *number));
+                |(i, (symbol, number)): (usize, &VariableQuantity)| format!("{} \" ({i})\"", shown(symbol, *number));
             (1..).zip(of).map(line).collect::<Vec<_>>().join(", ")
         }
     }
