@@ -64,20 +64,26 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
         if !n.has("c_sl") {
             n.remove(&["M_sl"]);
         }
-        controls(&mut n, inertia);
+        let drive = inertia * n.draw.between(0.001, 1.0);
+        if let Some(mut coupling) = n.child("coupling") {
+            coupling.set("J_d", drive);
+        }
+        let moved = if n.has("coupling") { drive } else { inertia };
+        controls(&mut n, moved);
         let step = n.draw.scale[2] * n.draw.between(0.01, 0.05);
         if let Some(mut dynamics) = n.child("dynamics") {
             dynamics.set("step", step);
         }
     } else {
         n.remove(&[
-            "M_sl", "M_Bsl", "psi_sl", "omega_sl", "psi_min", "psi_max", "dynamics", "control",
+            "M_sl", "M_Bsl", "psi_sl", "omega_sl", "psi_min", "psi_max", "dynamics", "control", "coupling",
         ]);
     }
     if let Some(mut slope) = n.child("slope") {
         let steep = slope.draw.between(0.0, 0.2);
         slope.set("gamma_s", steep);
     }
+    couples(&mut n);
     working_range(&mut n, [-PI, PI]);
     // Speeds at which the head, and the weight that leans, stay on their crane.
     let leans = n.child("slope").map_or(0.0, |slope| slope.get("r_u").abs());
@@ -91,6 +97,22 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
         motion.set("speed", most);
     }
     table
+}
+
+/// A coupling that lets the drive slew, and holds the weights across the slope.
+fn couples(n: &mut Node) {
+    let slope = n.child("slope");
+    let [leans, steep] = slope.map_or([0.0; 2], |slope| {
+        [slope.get("G_u") * slope.get("r_u"), slope.get("gamma_s")]
+    });
+    let across = (leans + n.get("Q") * n.get("R")).abs() * steep;
+    let dry = n.get("M_Fsl");
+    let natural = n.draw.natural(&s::M_LIM);
+    let Some(mut coupling) = n.child("coupling") else {
+        return;
+    };
+    let limit = (dry + across + natural * coupling.draw.between(0.1, 1.0)) * coupling.draw.between(1.0, 3.0);
+    coupling.set("M_lim", limit);
 }
 
 /// A controller of an inertia (kg·m²), in the place of the drive's moment.

@@ -4,7 +4,7 @@ use crate::component::description::{Described, Description};
 use crate::component::moving::MovingComponent;
 use crate::component::running::Running;
 use crate::component::series::{self, Series};
-use crate::component::sheet::{Curve, Cycle, CycleRow};
+use crate::component::sheet::{Curve, Cycle, CycleFigure, CycleRow};
 use crate::kernel::symbol::Symbol;
 use crate::kernel::unit;
 use crate::kernel::variable::{Role, TIME};
@@ -18,6 +18,7 @@ fn seen<T: Described>(model: &MovingComponent) -> Vec<usize> {
     let rate = model.standing().index_of(model.standing().rate());
     let all = model.variables().iter().enumerate();
     let shown = all.filter(|(index, variable)| match variable.role {
+        Role::State if T::FOLLOWED.contains(&variable.symbol) => true,
         Role::State => Some(*index) == rate || [&unit::RAD, &unit::M, &unit::KG].contains(&variable.symbol.unit),
         Role::Output => [T::OUTLINE.forces, T::FOLLOWED].concat().contains(&variable.symbol),
         _ => false,
@@ -55,9 +56,30 @@ pub(crate) fn cycle<T: Described>(told: &Description<T>) -> Option<Cycle> {
             break;
         }
     }
-    let curve = |&index: &usize| -> Option<(Curve, Option<u16>)> {
+    let partner = |symbol: &'static Symbol, at: usize| -> Option<usize> {
+        let pair = T::TOGETHER.iter().find(|pair| pair[at] == symbol)?;
+        seen.iter()
+            .copied()
+            .find(|&index| model.variables()[index].symbol == pair[1 - at])
+    };
+    let figure = |&index: &usize| -> Option<CycleFigure> {
         let y = symbol(&model, index);
-        Some((series.curve(y.id, [&TIME, y], index)?, number(&model, index)))
+        // It stands in the figure of another one.
+        if partner(y, 1).is_some() {
+            return None;
+        }
+        let both: Vec<usize> = std::iter::once(index).chain(partner(y, 0)).collect();
+        let pieces: Option<Vec<_>> = both.iter().map(|&index| series.piece(index, both.len())).collect();
+        Some(CycleFigure {
+            curve: Curve {
+                id: y.id,
+                x: &TIME,
+                y,
+                pieces: pieces?,
+                numbers: if both.len() > 1 { vec![1, 2] } else { Vec::new() },
+            },
+            of: both.iter().map(|&index| model.variables()[index].quantity()).collect(),
+        })
     };
     let row = |&index: &usize| CycleRow {
         symbol: symbol(&model, index),
@@ -73,7 +95,7 @@ pub(crate) fn cycle<T: Described>(told: &Description<T>) -> Option<Cycle> {
             .collect(),
         end,
         ended,
-        curves: seen.iter().filter_map(curve).collect(),
+        figures: seen.iter().filter_map(figure).collect(),
         seen: series.frames(&model, &frames),
         rows: seen.iter().map(row).collect(),
     })

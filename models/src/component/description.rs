@@ -51,6 +51,9 @@ pub trait Described: Clone + fmt::Debug + Send + Sync + Sized + 'static {
     /// Outputs that are followed over a cycle of commands, besides what other parts are designed for.
     const FOLLOWED: &'static [&'static Symbol] = &[];
 
+    /// Two of those that are followed, which are drawn in one figure.
+    const TOGETHER: &'static [[&'static Symbol; 2]] = &[];
+
     const VOCABULARY: &'static Vocabulary;
 
     /// Reads a checked table under the acceleration of gravity (m/s²), with its working range; mistakes go to the list.

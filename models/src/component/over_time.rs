@@ -3,6 +3,7 @@
 use crate::component::diagram::Curve;
 use crate::kernel::course::Course;
 use crate::kernel::symbol::Symbol;
+use crate::kernel::variable::Quantity;
 
 /// What can be seen of a run, frame by frame.
 #[derive(Default)]
@@ -19,10 +20,17 @@ pub struct Cycle {
     pub end: f64,
     /// When the model could not go on, if it could not.
     pub ended: Option<f64>,
-    /// Over time, each by the id of its symbol, with its number among several.
-    pub curves: Vec<(Curve, Option<u16>)>,
+    pub figures: Vec<CycleFigure>,
     pub seen: Seen,
     pub rows: Vec<CycleRow>,
+}
+
+/// One quantity over the time of a cycle, or two that belong together.
+pub struct CycleFigure {
+    /// By the id of the first symbol; of two, a numbered piece for each.
+    pub curve: Curve,
+    /// Each with its number among several.
+    pub of: Vec<Quantity>,
 }
 
 /// Between what values a quantity lies in a cycle, and its value at the end.

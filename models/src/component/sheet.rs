@@ -6,7 +6,7 @@ pub use crate::component::account::{Energy, Integral, Power};
 pub use crate::component::diagram::{Chart, Curve, Table};
 pub use crate::component::drawing::{Drawing, Gauge, Shape};
 use crate::component::extreme::Extreme;
-pub use crate::component::over_time::{Cycle, CycleRow, Seen, Stand};
+pub use crate::component::over_time::{Cycle, CycleFigure, CycleRow, Seen, Stand};
 
 use crate::kernel::origin::Origin;
 use crate::kernel::record::Trace;

@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 
 use crate::parts::hanging::{HangingLoad, HeadRope, turned};
 use crate::parts::joint::Bar;
+use crate::slewing::coupled_sides::CoupledSides;
 use crate::slewing::swinging::head;
 
 /// Slewing with its load at one instant, as an event changes it.
@@ -19,6 +20,8 @@ pub struct SwungInstant {
     pub inertia: f64,
     pub mass: f64,
     pub length: f64,
+    /// A coupling between it and its drive, through which no blow passes.
+    pub coupled: Option<CoupledSides>,
 }
 
 impl SwungInstant {

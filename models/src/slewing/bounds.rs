@@ -9,6 +9,7 @@ use crate::parts::hanging::too_short;
 use crate::parts::motion::{Motion, short_step};
 use crate::parts::turntable::{self as joint, SlewingJoint, too_fast};
 use crate::parts::turntable_control::fastest;
+use crate::slewing::coupling::SlipCoupling;
 use crate::slewing::symbols as s;
 
 /// Least time in which friction stops what slews, as a part of that which the working range takes, and of that of a pendulum
@@ -16,6 +17,8 @@ use crate::slewing::symbols as s;
 const BRISKEST: [f64; 2] = [1e-4, 5e-3];
 /// Least inertia of what slews, over that of what does not add to it: a load that swings, the weight that leans.
 const LIGHTEST: f64 = 5e-4;
+/// Least inertia of the drive's side of a coupling, over that of all that slews.
+const LIGHTEST_DRIVE: f64 = 1e-6;
 /// Shortest step that may be given, over that which sees all: below it a solver of fourth order adds up rounding.
 const SHORTEST_STEP: f64 = 1e-2;
 
@@ -34,6 +37,7 @@ pub struct Slewed<'a> {
     pub gravity: f64,
     /// Its load swings.
     pub swings: bool,
+    pub coupling: Option<SlipCoupling<f64>>,
 }
 
 impl Slewed<'_> {
@@ -50,6 +54,12 @@ impl Slewed<'_> {
     fn lengths(&self) -> [f64; 2] {
         let rope = if self.swings { self.of(&s::L_R) } else { 0.0 };
         [self.of(&s::R), rope]
+    }
+
+    /// Moment of all weights across the slope, the load's under its head, in N·m.
+    fn across(&self) -> f64 {
+        let leaning = self.of(&s::G_U) * self.of(&s::R_U) + self.of(&s::Q) * self.of(&s::R);
+        leaning * Calc::sin_cos(self.of(&s::GAMMA_S)).0
     }
 
     /// How far from the axis something slews, in m: the head, or the weight that leans.
@@ -82,8 +92,7 @@ impl Slewed<'_> {
         let [reach, rope] = self.lengths();
         // A load that swings leaves slewing by itself, and pulls it back the harder the heavier it is.
         let heavy = 1.0 + self.load() / turning.j_sl;
-        let leaning = self.of(&s::G_U) * self.of(&s::R_U) + self.of(&s::Q) * reach;
-        let stiffness = leaning * Calc::sin_cos(self.of(&s::GAMMA_S)).0;
+        let stiffness = self.across();
         let mut times = [
             self.inertia() / turning.c_sl,
             (self.inertia() / stiffness.abs()).sqrt(),
@@ -109,6 +118,46 @@ impl Slewed<'_> {
             .flatten();
         let refused = [self.brisk(), self.spins(), self.light(), rope, self.short_step()];
         found.extend(refused.into_iter().flatten());
+        found.extend(self.coupling.and_then(|coupling| self.coupled(&coupling)));
+    }
+
+    /// A coupling that would never let the drive slew, or not hold what slews, and a drive of next to no inertia.
+    fn coupled(&self, coupling: &SlipCoupling<f64>) -> Option<Diagnostic> {
+        let table = self.table.table("coupling")?;
+        let SlipCoupling { j_d, m_lim } = *coupling;
+        let (dry, across) = (self.joint.turning.m_f_sl, self.across().abs());
+        let least = LIGHTEST_DRIVE * self.inertia();
+        if m_lim <= dry {
+            let what = format!("the coupling slips at M_lim = {}", s::M_LIM.written(m_lim));
+            let label = format!(
+                "less than the dry friction M_Fsl = {} of slewing",
+                joint::M_F_SL.written(dry)
+            );
+            let help = "give more: by no moment of its drive would the crane begin to slew";
+            return Some(table.refuse(s::M_LIM.id, what, label, help));
+        }
+        if m_lim + dry < across {
+            let what = format!("the coupling slips at M_lim = {}", s::M_LIM.written(m_lim));
+            let label = format!("the slope needs up to {}", s::M_GAMMA.written(across));
+            let help = format!(
+                "give at least {}, which with the dry friction M_Fsl holds the weights across the slope: else the crane \
+                 turns downhill, whatever drive and brake do",
+                s::M_LIM.written(across - dry)
+            );
+            return Some(table.refuse(s::M_LIM.id, what, label, help));
+        }
+        (j_d < least).then(|| {
+            let what = format!(
+                "J_d = {}, where all that slews has {}",
+                s::J_D.written(j_d),
+                s::J_TOT.written(self.inertia())
+            );
+            let help = format!(
+                "give the inertia of motors and brakes at the slewing axis, J_M i_sl^2 of each, together at least {}",
+                s::J_D.written(least)
+            );
+            table.refuse(s::J_D.id, what, "too little", help)
+        })
     }
 
     /// Friction that stops at once what slews.

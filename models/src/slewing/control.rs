@@ -6,6 +6,7 @@ use crate::kernel::group::One;
 use crate::kernel::variable::Fault;
 use crate::parts::control::{Latched, SpeedControl};
 use crate::parts::turntable::Turning;
+use crate::slewing::coupling::{DriveSide, SlipCoupling};
 use crate::slewing::motion::SlewingDrive;
 use crate::slewing::swinging::SwingingLoad;
 use crate::slewing::symbols as s;
@@ -34,7 +35,8 @@ fn moved<C: Calc>(turning: &Turning<C>, swung: &Option<SwingingLoad<C>>, total: 
     if swung.is_some() { turning.j_sl } else { *total }
 }
 
-/// One sample of the controller, at an angle (rad) and an angular velocity (rad/s).
+/// One sample of the controller, at an angle (rad) and an angular velocity (rad/s), the drive's where a coupling may part it
+/// from what slews; then the drive alone must not swing up either.
 ///
 /// # Errors
 /// Gains under which the speed swings up.
@@ -46,12 +48,18 @@ pub fn sampled<C: Calc>(
     turning: &Turning<C>,
     swung: &Option<SwingingLoad<C>>,
     total: &C,
+    coupling: &Option<SlipCoupling<C>>,
+    side: &Option<DriveSide<C>>,
     psi: &One<C>,
     omega: &One<C>,
 ) -> Result<Latched<C>, Fault> {
-    match control.swings_up(moved(turning, swung, total).value()) {
+    let least = coupling.map_or_else(|| moved(turning, swung, total), |coupling| coupling.j_d);
+    match control.swings_up(least.value()) {
         Some([what, help]) => Err(Fault::outside(format!("{what}: {help}"))),
-        None => Ok(control.sample(held, commanded, [psi.1, omega.1])),
+        None => {
+            let speed = side.map_or(omega.1, |side| side.omega_d);
+            Ok(control.sample(held, commanded, [psi.1, speed]))
+        }
     }
 }
 

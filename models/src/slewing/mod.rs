@@ -9,6 +9,8 @@
 //!   ~~~~~~~~~+~~~~~~~~~  slope gamma_s, downhill at psi_sl = 0
 //! ```
 //!
+//! A coupling that slips, where there is one, parts the drive with its brake from all this.
+//!
 //! Angles and moments are positive counter-clockwise, seen from above. The load keeps its place under the head, or
 //! swings on its rope.
 //!
@@ -22,15 +24,18 @@
 //! | `slewing.control` | [`control::Regulated::new`], [`control::acting`] | sampled PI control |
 //! | `slewing.friction` | [`motion::resisting`] | Ports001, 6.5 |
 //! | `slewing.motion` | [`motion::Turned::new`] | Ports001, 6.5 |
+//! | `slewing.coupling` | [`coupling::passed_on`], [`coupling::passing`], [`coupling::DriveRates::new`] | Ports001, 6.5.4 |
 //! | `slewing.air` | [`air::stream`], [`air::FeltAir::new`] | drag |
 //! | `slewing.swing` | [`swinging::Swinging::new`] | Lagrange, first kind |
 //! | `slewing.blows` | [`blows::SwungInstant::stop`], [`blows::SwungInstant::catch`] | momentum |
-//! | `slewing.events` | [`motion::SlewingEvents::new`], [`swinging::slackening`] | events |
+//! | `slewing.events` | [`motion::SlewingEvents::new`], [`swinging::slackening`], [`coupled_sides::CouplingEvents::new`] | events |
 
 pub mod air;
 pub mod blows;
 mod bounds;
 pub mod control;
+pub mod coupled_sides;
+pub mod coupling;
 pub mod motion;
 mod outline;
 pub mod scene;

@@ -21,11 +21,25 @@ quantities! {
 impl<C: Calc> Past<C> {
     /// At rest (0), turning to the left (1) or to the right (−1).
     pub fn bar(&self) -> Bar {
-        match self.way.value() {
-            0.0 => Bar::Held,
-            way if way > 0.0 => Bar::Forward,
-            _ => Bar::Backward,
-        }
+        bar(self.way.value())
+    }
+}
+
+/// Which way something turns, by a number that is zero where it is held.
+pub(super) fn bar(way: f64) -> Bar {
+    match way {
+        0.0 => Bar::Held,
+        way if way > 0.0 => Bar::Forward,
+        _ => Bar::Backward,
+    }
+}
+
+/// The same as such a number: 0, 1 or −1.
+pub(super) fn way(bar: Bar) -> f64 {
+    match bar {
+        Bar::Forward => 1.0,
+        Bar::Backward => -1.0,
+        Bar::Held | Bar::Loose => 0.0,
     }
 }
 
@@ -80,7 +94,7 @@ pub fn held<C: Calc>(
     [needed(driven, tilt, led), least, most]
 }
 
-fn needed<C: Calc>(driven: &SlewingDrive<C>, tilt: Option<&C>, led: Option<&Led<C>>) -> C {
+pub(super) fn needed<C: Calc>(driven: &SlewingDrive<C>, tilt: Option<&C>, led: Option<&Led<C>>) -> C {
     led.map_or_else(|| -driving(driven, tilt), |led| led.needs)
 }
 
@@ -106,7 +120,7 @@ pub fn resisting<C: Calc>(
 #[derive(Clone, Copy, Debug)]
 pub struct Turned<C> {
     rate: C,
-    acceleration: C,
+    pub(super) acceleration: C,
     /// Of a load that keeps its place.
     along: Option<C>,
 }

@@ -7,7 +7,7 @@ use crate::parts::{turntable, turntable_control};
 use crate::slewing::symbols as s;
 
 pub const OUTLINE: Outline = Outline {
-    inputs: chapters!(slewing "", slope, load "Q", hook, air, control, motion, limits),
+    inputs: chapters!(slewing "", slope, load "Q", hook, air, control, coupling, motion, limits),
     constants: &[
         ("slewing_inertia", &[Stage("carried"), Stage("total")]),
         ("slewing_regulated", &[Stage("regulated")]),
@@ -20,17 +20,20 @@ pub const OUTLINE: Outline = Outline {
         ("motion_air", &[Stage("stream")]),
         ("slewing_swing", &[Stage("leaning"), Stage("swinging")]),
         ("slewing_motion", &[Stage("resisting"), Stage("turned")]),
+        ("slewing_coupling", &[Stage("passing"), Stage("coupled")]),
     ],
-    table: listed!(s: M_GAMMA, M_ST, P_ST, F_N, M_R_SL, D_OMEGA_SL, F_T, S_R),
+    table: listed!(s: M_GAMMA, M_ST, P_ST, F_N, M_R_SL, D_OMEGA_SL, F_T, S_R, M_CD),
     curves: &[
         ("slewing_slope", None, &s::M_GAMMA),
         ("slewing_steady", None, &s::M_ST),
         ("slewing_acceleration", None, &s::D_OMEGA_SL),
+        ("slewing_coupling", None, &s::M_CD),
     ],
     extremes: &[
         Greatest::new(&s::M_GAMMA_MAX, Most::Amount, &s::M_GAMMA),
         Greatest::new(&s::M_ST_MAX, Most::Amount, &s::M_ST),
         Greatest::new(&s::P_ST_MAX, Most::Amount, &s::P_ST),
+        Greatest::new(&s::M_CD_MAX, Most::Amount, &s::M_CD),
     ],
     summary: &[],
     sensitivity: &[&s::M_ST_MAX, &s::P_ST_MAX],
@@ -44,9 +47,10 @@ pub const OUTLINE: Outline = Outline {
             "control",
             listed!(turntable_control: K_I_SL, A_SL, M_MAX_SL, T_C_SL, OMEGA_S_SL, OMEGA_MAX_SL, K_PSI_SL),
         ),
+        ("coupling", &[&s::M_LIM]),
         ("start", &[&s::PSI_SL]),
         ("hook", &[&s::L_R, &s::PHI_R, &s::CHI_R]),
     ],
-    forces: listed!(s: M_ST, F_N, F_T, S_R),
+    forces: listed!(s: M_ST, F_N, F_T, S_R, M_CD),
     worst: &[("greatest_moment", &s::M_ST_MAX)],
 };

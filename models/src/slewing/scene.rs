@@ -18,7 +18,7 @@ use crate::kernel::group::One;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Values};
 use crate::kernel::sign::Sign;
-use crate::kernel::symbol::Symbol;
+use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Fault;
 use crate::parts::air::{self, AIR, AirAround, WindAtLoad, around};
 use crate::parts::control::{Latched, SpeedControl, taken};
@@ -29,6 +29,7 @@ use crate::parts::shaping;
 use crate::parts::turntable::{self as joint, SlewingJoint};
 use crate::parts::turntable_control::{self, AXIS, CONTROL};
 use crate::slewing::bounds::Slewed;
+use crate::slewing::coupling::{DriveSide, SlipCoupling, SlipPast};
 use crate::slewing::motion::{Past, SlewingDrive, Stops};
 use crate::slewing::outline::OUTLINE;
 use crate::slewing::stages::{Given, Open, SlewingCrane};
@@ -55,6 +56,7 @@ pub const KEYS: &[Key] = keys! { joint:
     Key::part("slope", SLOPE, "The ground that is not level, and what stands on it."),
     AIR,
     CONTROL,
+    COUPLING,
     Key::part("limits", LIMITS, "What results may come to at most.")
 };
 
@@ -68,11 +70,28 @@ static SLOPE: &[Key] = keys! { s: GAMMA_S >= 0, G_U [or_mass], R_U };
 
 const LIMITS: &[Key] = &Limit::keys::<3>(OUTLINE.limits);
 
+static COUPLED: &[Key] = keys! { s: J_D > 0, M_LIM > 0 };
+
+/// The coupling between drive and brake and what slews.
+const COUPLING: Key = Key::part(
+    "coupling",
+    COUPLED,
+    "The coupling of the slewing drive, which slips; drive and brake act in front of it.",
+);
+
 static DYNAMICS: &[Key] = keys! { s: STEP > 0 };
 
 /// Keys that say something of a motion alone, and of a load that swings.
-const MOVING: [&str; 8] = [
-    "M_sl", "M_Bsl", "psi_sl", "omega_sl", "psi_min", "psi_max", "dynamics", "control",
+const MOVING: [&str; 9] = [
+    "M_sl",
+    "M_Bsl",
+    "psi_sl",
+    "omega_sl",
+    "psi_min",
+    "psi_max",
+    "dynamics",
+    "control",
+    COUPLING.name,
 ];
 const SWINGING: [&str; 3] = ["l_R", "phi_R", "chi_R"];
 
@@ -168,7 +187,9 @@ impl Described for SlewingScene {
         ],
     };
 
-    const FOLLOWED: &'static [&'static Symbol] = &[&s::M_SL];
+    const FOLLOWED: &'static [&'static Symbol] = listed!(s: M_SL, OMEGA_D, M_CD, W_SLIP);
+
+    const TOGETHER: &'static [[&'static Symbol; 2]] = &[[&s::OMEGA_SL, &s::OMEGA_D]];
 
     fn read(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<(SlewingScene, Motion)> {
         let before = found.len();
@@ -193,7 +214,10 @@ impl Described for SlewingScene {
             .map_err(|refused| found.push(refused))
             .ok()?;
         let (control, commanded) = controlled.unzip();
-        found.extend(control.and_then(|control| control.unstable(v, inertia)));
+        let coupling = v.table(COUPLING.name).and_then(SlipCoupling::read);
+        // Where the coupling slips, the controller has the drive alone.
+        let least = coupling.map_or(inertia, |coupling| coupling.j_d);
+        found.extend(control.and_then(|control| control.unstable(v, least)));
         let lasts = v
             .course(s::M_SL.id)
             .map_or((range.to - range.from) / range.speed.abs(), Course::end);
@@ -205,6 +229,7 @@ impl Described for SlewingScene {
             range: &range,
             gravity,
             swings,
+            coupling,
         };
         if moves {
             slewed.check(found);
@@ -234,6 +259,12 @@ impl Described for SlewingScene {
             around,
             blowing,
             slackness: swings.then_some(Slackness { slack: 0.0 }),
+            coupling,
+            side: coupling.map(|_| DriveSide {
+                omega_d: range.speed,
+                psi_slip: 0.0,
+            }),
+            slipping: coupling.map(|_| SlipPast { slip: 0.0, way_d: 1.0 }),
             control,
             commanded,
             latched: control.map(|control| Latched::steady(&control, range.speed)),
@@ -270,6 +301,7 @@ impl Described for SlewingScene {
         if level == "static" {
             self.given.driven = None;
             (self.given.control, self.given.commanded, self.given.latched) = (None, None, None);
+            (self.given.coupling, self.given.side, self.given.slipping) = (None, None, None);
         }
     }
 
@@ -282,6 +314,7 @@ impl Described for SlewingScene {
                 ("slewing", &SWINGING),
                 (AIR.name, &[]),
                 (CONTROL.name, &[]),
+                (COUPLING.name, &[]),
             ],
         }
     }
@@ -290,6 +323,9 @@ impl Described for SlewingScene {
         this.given.driven?;
         let mut resting = this.clone();
         resting.own.given.past.way = 0.0;
+        if let Some(past) = &mut resting.own.given.slipping {
+            past.way_d = 0.0;
+        }
         if let Some(latched) = &mut resting.own.given.latched {
             latched.set = this.start[1];
         }
@@ -330,6 +366,7 @@ impl Described for SlewingScene {
                 vec!["slewing_level_swing", damped, "slewing_hook"]
             }
         };
+        list.extend(this.given.coupling.map(|_| "slewing_coupling"));
         list.extend(taken(this.given.control.iter()));
         list
     }
@@ -361,6 +398,9 @@ impl Described for SlewingScene {
         };
         if let Some(load) = &self.given.swung {
             load.map(&mut |symbol, value| stands("hook", symbol, value));
+        }
+        if let Some(side) = &self.given.side {
+            side.map(&mut |symbol, value| stands("coupling", symbol, value));
         }
         if let Some(latched) = &self.given.latched {
             latched.map(&mut |symbol, value| stands("latched", symbol, value));

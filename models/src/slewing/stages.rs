@@ -3,16 +3,20 @@
 use crate::component::part::{Component, Port, ports};
 use crate::component::stages::{Found, stages};
 use crate::kernel::group::{One, group};
-use crate::kernel::symbol::Symbol;
+use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Variable;
 use crate::parts::air::{AirAround, Stream, WindAtLoad};
 use crate::parts::control::{Latched, SpeedControl};
 use crate::parts::hanging::HangingLoad;
-use crate::parts::joint::{Arrival, Bar};
+use crate::parts::joint::{Arrival, Bar, Joint};
 use crate::parts::turntable::Turning;
 use crate::slewing::air::{FeltAir, stream};
 use crate::slewing::blows::SwungInstant;
 use crate::slewing::control::{Controlled, Regulated, acting, sampled};
+use crate::slewing::coupled_sides::{CoupledSides, CouplingEvents, needs};
+use crate::slewing::coupling::{
+    DriveRates, DriveSide, SlipCoupling, SlipPast, all_along, carried_along, passed_on, passing,
+};
 use crate::slewing::motion::{self, Led, Past, SlewingDrive, SlewingEvents, Stops, Turned, joint, resisting, struck};
 use crate::slewing::swinging::{
     RopeLength, Slackness, Swinging, SwingingLoad, SwingingRates, leaning, led, slackening,
@@ -35,6 +39,9 @@ stages! {
         Input blowing: Option<WindAtLoad<C>>,
         Parameter control: Option<SpeedControl<C>>,
         Input commanded: Option<One<C>>,
+        Parameter coupling: Option<SlipCoupling<C>>,
+        State side: Option<DriveSide<C>>,
+        Memory slipping: Option<SlipPast<C>>,
         Memory past: Past<C>,
         Memory slackness: Option<Slackness<C>>,
         Latch latched: Option<Latched<C>>,
@@ -46,24 +53,33 @@ stages! {
         tilt: C = tilt(slope[!], hung, psi) => M_GAMMA;
         steady: Steady<C> = Steady::new(turning, tilt[?], omega);
         circling: Circling<C> = Circling::new(carried, hung, total, omega);
-        regulated: Regulated<C> = Regulated::new(control[!], turning, swung, total);
+        bound: Turning<C> = carried_along(turning, coupling, slipping) => _;
+        whole: C = all_along(total, coupling, slipping) => _;
+        regulated: Regulated<C> = Regulated::new(control[!], bound, swung, whole);
         sampled: Latched<C> = sampled(
-            control[!], commanded[!], latched[!], turning, swung, total, psi, omega) => _;
+            control[!], commanded[!], latched[!], bound, swung, whole, coupling, side, psi, omega) => _;
         controlled: Controlled<C> = Controlled::new(latched[!]);
-        drive: SlewingDrive<C> = acting(driven[!], latched) => _;
+        motor: SlewingDrive<C> = acting(driven[!], latched) => _;
+        drive: SlewingDrive<C> = passed_on(motor, coupling, slipping) => _;
         leaning: C = leaning(slope[!], swung[!], psi) => M_GAMMA_U;
         stream: Stream<C> = stream(around[!], blowing[!], hung, psi) => _;
         swinging: Swinging<C> = Swinging::new(
-            turning, drive, past, slackness[!], stops, slope, leaning[?], stream[?], swung[!], hung, carried, psi,
+            bound, drive, past, slackness[!], stops, slope, leaning[?], stream[?], swung[!], hung, carried, psi,
             omega);
         in_air: FeltAir<C> = FeltAir::new(stream, swinging, hung, carried, omega);
         led: Led<C> = led(swinging) => _;
         resisting: C = resisting(turning, drive, past, stops, tilt[?], led[?], omega) => M_R_SL;
-        turned: Turned<C> = Turned::new(drive, past, tilt[?], resisting, led[?], total, carried, hung, omega);
+        turned: Turned<C> = Turned::new(drive, past, tilt[?], resisting, led[?], whole, carried, hung, omega);
         rates: SwingingRates<C> = SwingingRates::new(swinging);
+        passing: C = passing(
+            motor, coupling[!], slipping[!], turning, past, stops, tilt[?], led[?], turned, psi) => M_CD, decided;
+        coupled: DriveRates<C> = DriveRates::new(
+            motor, coupling[!], slipping[!], side[!], passing, turned, omega), decided;
         struck: C = struck(driven[!], past) => W_BLOW;
         events: SlewingEvents<C> = SlewingEvents::new(turning, drive, past, stops, tilt[?], led[?], psi, omega);
         slackening: C = slackening(swinging, rope[!], slackness[!]) => Z_ROPE;
+        parting: CouplingEvents<C> = CouplingEvents::new(
+            motor, coupling[!], slipping[!], side[!], passing, omega), decided;
     }
 }
 
@@ -73,7 +89,7 @@ pub struct Open(pub Vec<&'static Symbol>);
 group!(Open);
 
 /// Changes at one instant.
-const MOST_CHANGES: u32 = 4;
+const MOST_CHANGES: u32 = 8;
 
 impl Component for SlewingCrane {
     const STATES: [&'static [&'static Symbol]; 2] = [
@@ -87,11 +103,13 @@ impl Component for SlewingCrane {
             &s::D_V_QX,
             &s::D_V_QY,
             &s::D_V_QZ,
+            &s::D_OMEGA_D,
+            &s::D_PSI_SLIP,
         ],
     ];
 
     const INDICATORS: &'static [&'static Symbol] =
-        &[&s::Z_SL_REST, &s::Z_SL_LOOSE, &s::Z_SL_LOW, &s::Z_SL_HIGH, &s::Z_ROPE];
+        listed!(s: Z_SL_REST, Z_SL_LOOSE, Z_SL_LOW, Z_SL_HIGH, Z_ROPE, Z_D_REST, Z_D_LOOSE, Z_C_REST, Z_C_LOOSE);
 
     const PORTS: &'static [Port] = ports! { s:
         shaft "Slewing axis." [tau]: phi PSI_SL, w OMEGA_SL, tau M_SL;
@@ -136,9 +154,13 @@ impl Component for SlewingCrane {
         if known.given.driven.is_none() {
             return Ok(false);
         }
-        let driven = *known.drive()?;
         let joint = joint(&known.given.turning, &known.given.stops);
         let (start, mut blown) = (instant(known)?, 0.0);
+        let mut now = start;
+        if let Some(coupled) = &mut now.coupled {
+            coupled.begin(start.omega);
+            put(known, &now);
+        }
         if start.omega == 0.0 {
             known.past().way = 0.0;
         }
@@ -153,6 +175,8 @@ impl Component for SlewingCrane {
                         let [low, high] = joint.stops;
                         known.psi().1 = known.given.psi.clamp(low, high);
                         blown += now.struck(SwungInstant::stop);
+                    } else if let Some(coupled) = &mut now.coupled {
+                        coupled.begin(0.0);
                     }
                     (now.bar, now.omega) = (Bar::Held, 0.0);
                 }
@@ -162,19 +186,11 @@ impl Component for SlewingCrane {
                 put(known, &now);
                 now.taut = now.taut && known.swinging()?.found.slackening >= 0.0;
             }
-            put(known, &now);
-            if now.bar == Bar::Held {
-                let tilt = known.given.slope.is_some().then(|| known.tilt().copied()).transpose()?;
-                let led = known.given.swung.is_some().then(|| known.led().copied()).transpose()?;
-                now.bar = Bar::loosened(motion::held(
-                    &joint,
-                    &driven,
-                    tilt.as_ref(),
-                    led.as_ref(),
-                    &known.given.psi,
-                ));
-                put(known, &now);
+            if let Some(coupled) = &mut now.coupled {
+                coupled.arrive(now.omega);
             }
+            put(known, &now);
+            loosen(known, &joint, &mut now)?;
             if instant(known)? == before {
                 break;
             }
@@ -183,8 +199,36 @@ impl Component for SlewingCrane {
             known.past().blown += blown;
         }
         let end = instant(known)?;
-        Ok(end.omega != start.omega || end.load != start.load)
+        let speed = |at: &SwungInstant| at.coupled.map(|coupled| coupled.omega);
+        Ok(end.omega != start.omega || end.load != start.load || speed(&end) != speed(&start))
     }
+}
+
+/// What is held, and whether it breaks loose: all that slews, then its coupling and its drive.
+fn loosen(known: &mut Known<f64>, joint: &Joint<f64>, now: &mut SwungInstant) -> Found<()> {
+    if now.bar == Bar::Held {
+        let driven = *known.drive()?;
+        let tilt = known.given.slope.is_some().then(|| known.tilt().copied()).transpose()?;
+        let led = known.given.swung.is_some().then(|| known.led().copied()).transpose()?;
+        now.bar = Bar::loosened(motion::held(
+            joint,
+            &driven,
+            tilt.as_ref(),
+            led.as_ref(),
+            &known.given.psi,
+        ));
+        put(known, now);
+    }
+    if let (Some(coupled), Some(coupling)) = (&mut now.coupled, known.given.coupling) {
+        let (stuck, motor) = (coupled.slip == Bar::Held, *known.motor()?);
+        coupled.loosened(needs(&motor, &coupling, *known.passing()?));
+        // At rest each side is asked for itself what it does now.
+        if stuck && coupled.slip != Bar::Held && now.omega == 0.0 {
+            now.bar = Bar::Held;
+        }
+        put(known, now);
+    }
+    Ok(())
 }
 
 /// Where it is; a load that keeps its place is a part of what slews.
@@ -193,6 +237,7 @@ fn instant(known: &mut Known<f64>) -> Found<SwungInstant> {
     let given = &known.given;
     let own = given.swung.map(|load| (given.turning.j_sl, mass, load.load()));
     let (inertia, mass, load) = own.unwrap_or((total, 0.0, HangingLoad::of(&[0.0; 6])));
+    let coupled = given.side.as_ref().zip(given.slipping.as_ref());
     Ok(SwungInstant {
         bar: given.past.bar(),
         omega: *given.omega,
@@ -202,16 +247,13 @@ fn instant(known: &mut Known<f64>) -> Found<SwungInstant> {
         inertia,
         mass,
         length: given.rope.map_or(0.0, |rope| rope.l_r),
+        coupled: coupled.map(|(side, past)| CoupledSides::of(side, past)),
     })
 }
 
 /// What has changed; the rest is as it was, and so is what follows from it.
 fn put(known: &mut Known<f64>, now: &SwungInstant) {
-    let way = match now.bar {
-        Bar::Forward => 1.0,
-        Bar::Backward => -1.0,
-        Bar::Held | Bar::Loose => 0.0,
-    };
+    let way = motion::way(now.bar);
     if way != known.given.past.way {
         known.past().way = way;
     }
@@ -224,5 +266,17 @@ fn put(known: &mut Known<f64>, now: &SwungInstant) {
     let slack = f64::from(!now.taut);
     if known.given.slackness.is_some_and(|rope| rope.slack != slack) {
         *known.slackness() = Some(Slackness { slack });
+    }
+    let Some((coupled, side)) = now.coupled.zip(known.given.side) else {
+        return;
+    };
+    if coupled.omega != side.omega_d {
+        *known.side() = Some(DriveSide {
+            omega_d: coupled.omega,
+            ..side
+        });
+    }
+    if known.given.slipping != Some(coupled.past()) {
+        *known.slipping() = Some(coupled.past());
     }
 }

@@ -3,7 +3,7 @@
 use lemnis_models::component::sheet;
 use lemnis_models::kernel::course::{Between, Course};
 use lemnis_models::kernel::symbol::Symbol;
-use lemnis_models::kernel::variable::TIME;
+use lemnis_models::kernel::variable::{Quantity as VariableQuantity, TIME};
 use serde::Serialize;
 
 use crate::book::blocks::{Figure, Quantity};
@@ -34,6 +34,8 @@ struct Drawn {
     #[serde(flatten)]
     figure: Figure,
     shown: String,
+    /// Ids of what it shows.
+    of: Vec<&'static str>,
 }
 
 #[derive(Serialize)]
@@ -68,16 +70,29 @@ impl Cycle {
             ends: (row.ends).map(|end| [numbers.result(row.symbol, end.value), numbers.result(&TIME, end.time)]),
             last: numbers.result(row.symbol, row.last),
         };
-        let drawn = |(curve, number): &(sheet::Curve, Option<u16>)| Drawn {
-            figure: Figure::new(numbers, curve),
-            shown: shown(curve.y, *number),
+        let drawn = |drawn: &sheet::CycleFigure| Drawn {
+            figure: Figure::new(numbers, &drawn.curve),
+            shown: together(&drawn.of),
+            of: drawn.of.iter().map(|(symbol, _)| symbol.id).collect(),
         };
         Cycle {
             end: time(cycle.end),
             ended: cycle.ended.map(time),
             commands: cycle.commands.iter().map(command).collect(),
-            figures: cycle.curves.iter().map(drawn).collect(),
+            figures: cycle.figures.iter().map(drawn).collect(),
             rows: cycle.rows.iter().map(row).collect(),
+        }
+    }
+}
+
+/// What one figure shows: a symbol, or several, each with the number of its line.
+fn together(of: &[VariableQuantity]) -> String {
+    match of {
+        [(symbol, number)] => shown(symbol, *number),
+        _ => {
+            let line =
+                |(i, (symbol, number)): (usize, &VariableQuantity)| format!("{} \" ({i})\"", shown(symbol, *number));
+            (1..).zip(of).map(line).collect::<Vec<_>>().join(", ")
         }
     }
 }
