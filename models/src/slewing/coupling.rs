@@ -35,6 +35,16 @@ pub(super) fn dry<C: Calc>(moment: C) -> Joint<C> {
     }
 }
 
+impl DriveSide<f64> {
+    /// Turning at a speed (rad/s) with all that slews, the coupling not having slipped.
+    pub(super) fn along(omega: f64) -> DriveSide<f64> {
+        DriveSide {
+            omega_d: omega,
+            psi_slip: 0.0,
+        }
+    }
+}
+
 impl<C: Calc> SlipPast<C> {
     /// Of the coupling, and of the drive's side where it slips.
     pub(super) fn bars(&self) -> [Bar; 2] {

@@ -47,7 +47,6 @@ pub const OUTLINE: Outline = Outline {
             "control",
             listed!(turntable_control: K_I_SL, A_SL, M_MAX_SL, T_C_SL, OMEGA_S_SL, OMEGA_MAX_SL, K_PSI_SL),
         ),
-        ("coupling", &[&s::M_LIM]),
         ("start", &[&s::PSI_SL]),
         ("hook", &[&s::L_R, &s::PHI_R, &s::CHI_R]),
     ],

@@ -163,6 +163,31 @@ fn in_air(
     Some((around, WindAtLoad { v_air, chi_air }))
 }
 
+/// Refuses what has no inertia.
+fn weightless(v: &Values) -> Diagnostic {
+    let what = "nothing that slews has an inertia";
+    let help = "make J_sl greater than zero, or let a load hang at a reach that does not swing";
+    v.refuse(joint::J_SL.id, what, "nothing to turn", help)
+}
+
+/// The controller with its command, of an inertia (kg·m²), and the coupling, where there are any; mistakes go to `found`.
+#[expect(clippy::type_complexity, reason = "both may be absent")]
+fn driven(
+    v: &Values,
+    inertia: f64,
+    found: &mut Vec<Diagnostic>,
+) -> Option<(Option<(SpeedControl<f64>, One<f64>)>, Option<SlipCoupling<f64>>)> {
+    let controlled = SpeedControl::read(&AXIS, v, v)
+        .map_err(|refused| found.push(refused))
+        .ok()?;
+    let coupling = v.table(COUPLING.name).and_then(SlipCoupling::read);
+    // Where the coupling slips, the controller has the drive alone.
+    let least = coupling.map_or(inertia, |coupling| coupling.j_d);
+    let unstable = controlled.as_ref().and_then(|(control, _)| control.unstable(v, least));
+    found.extend(unstable);
+    Some((controlled, coupling))
+}
+
 /// What the scene makes an input.
 fn open(v: &Values) -> Open {
     let both = [&s::R, &s::Q].into_iter();
@@ -201,23 +226,16 @@ impl Described for SlewingScene {
         let n = |key: &str| v.number(key).unwrap_or(0.0);
         let carried = if swings { 0.0 } else { n(s::Q.id) * n(s::R.id) };
         if joint.turning.j_sl + carried <= 0.0 {
-            let what = "nothing that slews has an inertia";
-            let help = "make J_sl greater than zero, or let a load hang at a reach that does not swing";
-            found.push(v.refuse(joint::J_SL.id, what, "nothing to turn", help));
+            found.push(weightless(v));
             return None;
         }
         let air = v.table(AIR.name).filter(|_| swings);
-        let air = air.and_then(|table| in_air(table, [n(s::L_R.id), gravity], found));
-        let (around, blowing) = air.unzip();
+        let (around, blowing) = air
+            .and_then(|table| in_air(table, [n(s::L_R.id), gravity], found))
+            .unzip();
         let inertia = joint.turning.j_sl + carried / gravity * n(s::R.id);
-        let controlled = SpeedControl::read(&AXIS, v, v)
-            .map_err(|refused| found.push(refused))
-            .ok()?;
+        let (controlled, coupling) = driven(v, inertia, found)?;
         let (control, commanded) = controlled.unzip();
-        let coupling = v.table(COUPLING.name).and_then(SlipCoupling::read);
-        // Where the coupling slips, the controller has the drive alone.
-        let least = coupling.map_or(inertia, |coupling| coupling.j_d);
-        found.extend(control.and_then(|control| control.unstable(v, least)));
         let lasts = v
             .course(s::M_SL.id)
             .map_or((range.to - range.from) / range.speed.abs(), Course::end);
@@ -260,10 +278,7 @@ impl Described for SlewingScene {
             blowing,
             slackness: swings.then_some(Slackness { slack: 0.0 }),
             coupling,
-            side: coupling.map(|_| DriveSide {
-                omega_d: range.speed,
-                psi_slip: 0.0,
-            }),
+            side: coupling.map(|_| DriveSide::along(range.speed)),
             slipping: coupling.map(|_| SlipPast { slip: 0.0, way_d: 1.0 }),
             control,
             commanded,
@@ -400,7 +415,7 @@ impl Described for SlewingScene {
             load.map(&mut |symbol, value| stands("hook", symbol, value));
         }
         if let Some(side) = &self.given.side {
-            side.map(&mut |symbol, value| stands("coupling", symbol, value));
+            side.map(&mut |symbol, value| stands("coupled", symbol, value));
         }
         if let Some(latched) = &self.given.latched {
             latched.map(&mut |symbol, value| stands("latched", symbol, value));
