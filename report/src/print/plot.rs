@@ -90,7 +90,7 @@ pub(super) struct Field {
     /// The axes are of decimal logarithms.
     powers: bool,
     /// Its right edge, in mm.
-    right: f64,
+    pub(super) right: f64,
 }
 
 /// Lower edge of the field, in mm.

@@ -9,6 +9,9 @@ use crate::print::plot::{BAR, CHART, Field, LEFT, axis_name, name_axes};
 /// Columns of a histogram.
 const COLUMNS: usize = 24;
 
+/// Room to the right of its field, in mm, for half of a number below its end: those of a narrow spread have many digits.
+const BESIDE: f64 = 5.0;
+
 /// Shares of values (SI, in order) between as many equal steps as there are columns, with lines at some of them. None where
 /// all are the same.
 #[must_use]
@@ -26,7 +29,8 @@ pub fn histogram(language: &Language, symbol: &Symbol, sorted: &[f64], marks: &[
     }
     let share = |count: usize| 100.0 * count as f64 / sorted.len() as f64;
     let most = counts.iter().copied().max().map_or(0.0, share);
-    let field = Field::around([[least, 0.0], [greatest, most]].into_iter(), false);
+    let mut field = Field::around([[least, 0.0], [greatest, most]].into_iter(), false);
+    field.right = CHART[0] - BESIDE;
     let mut picture = field.picture(language);
     for (column, &count) in counts.iter().enumerate() {
         let [from, to] = [column, column + 1].map(|edge| least + edge as f64 * width);
