@@ -17,7 +17,9 @@ fn scene(text: &str) -> Scene {
     Scene::parse(text).unwrap_or_else(|found| panic!("{found:?}"))
 }
 
+/// The scene with another study.
 fn studied(text: &str, study: &str) -> Scene {
+    let (text, _) = text.split_once("\n[study]").unwrap_or((text, ""));
     scene(&format!("{text}\n[study]\n{study}"))
 }
 
