@@ -209,7 +209,11 @@ impl Spread {
             Ok(match (self.how, &self.per) {
                 (How::Swing, _) => row(&self.of, a)? - row(&self.of, b)?,
                 (How::Ratio(_), Some(per)) => (row(&self.of, a)? - row(&self.of, b)?) / (row(per, c)? - row(per, d)?),
-                (How::Share(_), Some(per)) => row(&self.of, a)?.abs() / row(per, b)?.abs(),
+                (How::Share(_), Some(per)) => match [row(&self.of, a)?.abs(), row(per, b)?.abs()] {
+                    // Nothing of nothing.
+                    [part, whole] if part.value() == 0.0 && whole.value() == 0.0 => part,
+                    [part, whole] => part / whole,
+                },
                 // A step of Newton's method carries the derivatives.
                 (How::Vanishes(_), _) if a.is_finite() => C::constant(a) - row(&self.of, a)? / C::constant(b),
                 (How::Vanishes(_), _) => C::constant(a),

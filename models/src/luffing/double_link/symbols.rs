@@ -160,5 +160,5 @@ symbols! {
     S_UB: "S_ub" "S_b" M3 / M3, "Areas of the boom times drag coefficients and the heights of their centres above its foot.", "virtual work";
     E_Q: "e_Q" "e_Q" M / M, "Rise of the load for one radian of the luffing angle: its unbalanced moment over its weight.", "[Ports001, 5.10.2.2]";
     C_Q: "C_Q" "C_Q" ONE / PERCENT [not_negative], "Coefficient of the load's unbalanced moment: its greatest amount over the load and the greatest reach.", "[Ports001, 5.10.2.2]";
-    C_G: "C_G" "C_G" ONE / PERCENT [not_negative], "Coefficient of the unbalanced moment of own weights: its greatest amount with the counterweight over that without.", "[Ports001, 5.10.5.3]";
+    C_G: "C_G" "C_G" ONE / PERCENT [not_negative, infinite("where own weights have no moment")], "Coefficient of the unbalanced moment of own weights: its greatest amount with the counterweight over that without.", "[Ports001, 5.10.5.3]";
 }
