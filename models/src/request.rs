@@ -184,7 +184,7 @@ impl Request {
             let help = "name a quantity of the scene with its bounds: { \"luffing.X_7\" = \"1 m to 2 m\" }";
             found.push(v.refuse("vary", "nothing may change", "nothing to search for", help));
         }
-        found.extend(noted(&mut varied, v).err().map(|refused| *refused));
+        noted(&mut varied, v, found);
         let all = results(&model, mechanism);
         let goal = goal(v, mechanism, &all).map_err(|refused| found.push(*refused)).ok();
         let mut demands = Vec::new();
@@ -345,43 +345,45 @@ fn vary(model: &Standing, all: &Origins, gravity: f64, named: Named<'_>) -> Resu
     })
 }
 
-/// Takes down what quantities were before the search, and are along a front.
-fn noted(varied: &mut [Varied], v: &Values) -> Result<(), Box<Diagnostic>> {
-    for (key, text, place) in v.named("before") {
-        let named = (key, text, place);
-        let one = known(varied, named, "was something before the search")?;
-        one.before = Some(number(named.1, one.symbol, one.weighs).map_err(|problem| vary::wrong(named, problem))?);
-    }
-    for (key, text, place) in v.named("front") {
-        let named = (key, text, place);
-        let one = known(varied, named, "is something along a front")?;
-        one.front = list(named.1, one.symbol, one.weighs).map_err(|problem| vary::wrong(named, problem))?;
-    }
-    match varied.iter().find(|one| one.front.len() != varied[0].front.len()) {
-        Some(other) => {
-            let [first, count] = [&varied[0], other].map(|one| one.front.len());
-            let message = format!(
-                "{first} designs of a front have `{}`, {count} `{}`",
-                varied[0].key, other.key
-            );
-            let help = "give as many values of each quantity, or remove `front`";
-            Err(Box::new(v.refuse("front", message, "not as many", help)))
-        }
-        None => Ok(()),
-    }
-}
+/// A table of what quantities were, or are elsewhere, what it tells of each, and how it is taken down.
+type Note = (
+    &'static str,
+    &'static str,
+    fn(&mut Varied, &str) -> Result<(), measure::Problem>,
+);
 
-/// The quantity of which a note tells something.
-fn known<'a>(
-    varied: &'a mut [Varied],
-    (key, _, place): Named<'_>,
-    tells: &str,
-) -> Result<&'a mut Varied, Box<Diagnostic>> {
-    varied.iter_mut().find(|one| one.key == *key).ok_or_else(|| {
-        let message = format!("`{key}` {tells}, and does not vary");
-        let help = "name it under `vary`, or remove this";
-        Box::new(Diagnostic::new(place.clone(), message, "not searched for").help(help))
-    })
+const NOTES: [Note; 2] = [
+    ("before", "was something before the search", |one, text| {
+        number(text, one.symbol, one.weighs).map(|before| one.before = Some(before))
+    }),
+    ("front", "is something along a front", |one, text| {
+        list(text, one.symbol, one.weighs).map(|front| one.front = front)
+    }),
+];
+
+/// Takes down what quantities were before the search, and are along a front.
+fn noted(varied: &mut [Varied], v: &Values, found: &mut Vec<Diagnostic>) {
+    let sound = found.len();
+    for (table, tells, note) in NOTES {
+        for (key, text, place) in v.named(table) {
+            let Some(one) = varied.iter_mut().find(|one| one.key == *key) else {
+                let message = format!("`{key}` {tells}, and does not vary");
+                let help = "name it under `vary`, or remove this";
+                found.push(Diagnostic::new(place.clone(), message, "not searched for").help(help));
+                continue;
+            };
+            let wrong = note(one, text).map_err(|problem| *vary::wrong((key, text, place), problem));
+            found.extend(wrong.err());
+        }
+    }
+    let uneven = varied.iter().find(|one| one.front.len() != varied[0].front.len());
+    if let Some(other) = uneven.filter(|_| found.len() == sound) {
+        let [first, count] = [&varied[0], other].map(|one| one.front.len());
+        let (known, key) = (&varied[0].key, &other.key);
+        let message = format!("{first} designs of a front have `{known}`, {count} `{key}`");
+        let help = "give as many values of each quantity, or remove `front`";
+        found.push(v.refuse("front", message, "not as many", help));
+    }
 }
 
 /// Results of the whole range that have derivatives.

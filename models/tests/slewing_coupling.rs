@@ -3,6 +3,8 @@
 
 #[path = "common/named.rs"]
 mod named;
+#[path = "common/resumed.rs"]
+mod resumed;
 
 use lemnis_models::registry::dependencies;
 
@@ -248,22 +250,6 @@ fn dependencies_count_both_modes() {
 /// A state that was written out while it slips goes on in another model with the same bits.
 #[test]
 fn states_go_on() {
-    let mut model = model(READY);
-    model.advance(0.0, 0.7).expect("runs");
-    let state = model.state();
-    let numbers = model.numbers(&state);
-    let mut other = named::model(READY);
-    let restored = other.state_of(&numbers).expect("its own");
-    other.set_state(&restored);
-    for model in [&mut model, &mut other] {
-        for step in 0..150 {
-            let from = 0.7 + f64::from(step) * 0.2;
-            model.advance(from, from + 0.2).expect("runs");
-        }
-    }
-    for i in 0..model.variables().len() {
-        let [own, kept] = [&mut model, &mut other].map(|model| model.get(i).expect("a value").to_bits());
-        assert_eq!(own, kept, "{}", model.variables()[i]);
-    }
+    let mut model = resumed::goes_on(READY, 0.7, 150);
     assert!(get(&mut model, "W_slip") > 1e4);
 }

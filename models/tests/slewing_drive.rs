@@ -244,7 +244,7 @@ fn mirrored_and_shared() {
 #[test]
 fn what_cannot_be_is_told() {
     for (old, new, told) in [
-        ("z_d      = \"2\"", "z_d      = \"1.5\"", "z_d = 1.5 drives"),
+        ("z_d      = \"2\"", "z_d      = \"1.5\"", "z_d = 1.5"),
         (
             "heating  = 1 ",
             "heating  = 4 ",

@@ -138,9 +138,8 @@ fn suits(v: &Values, range: &Motion, moves: bool, found: &mut Vec<Diagnostic>) {
         .chain([(v, &s::N_W)])
     {
         let count = table.of(symbol).unwrap_or_default();
-        if count.fract() != 0.0 {
-            let what = format!("{} = {count}", symbol.id);
-            found.push(table.refuse(symbol.id, what, "no whole number", "give a whole number"));
+        if let Some(refused) = table.broken(symbol) {
+            found.push(refused);
         } else if symbol == &s::N_DR && count > wheels {
             let what = format!("{count} driven wheels of {wheels}");
             let help = "drive at most as many as n_w, or give more wheels";

@@ -433,4 +433,14 @@ impl Values {
     ) -> Diagnostic {
         Diagnostic::new(self.place(key), what, label).help(help)
     }
+
+    /// Refuses a count, where it is given, that is no whole number.
+    #[must_use]
+    pub fn broken(&self, symbol: &'static Symbol) -> Option<Diagnostic> {
+        let count = self.of(symbol).filter(|count| count.fract() != 0.0)?;
+        let (least, above) = (symbol.range.least, f64::from(u8::from(symbol.range.open)));
+        let help = format!("give a whole number, from {} on", (least.max(0.0) + above).ceil());
+        let what = format!("{} = {}", symbol.id, symbol.written(count));
+        Some(self.refuse(symbol.id, what, "no whole number", help))
+    }
 }

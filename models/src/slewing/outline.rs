@@ -22,18 +22,16 @@ pub const OUTLINE: Outline = Outline {
         ("slewing_motion", &[Stage("resisting"), Stage("turned")]),
         ("slewing_coupling", &[Stage("passing"), Stage("coupled")]),
     ],
-    table: listed!(s: M_GAMMA, M_ST, P_ST, F_N, M_R_SL, D_OMEGA_SL, F_T, S_R, M_CD),
+    table: listed!(s: M_GAMMA, M_ST, P_ST, F_N, M_R_SL, D_OMEGA_SL, F_T, S_R),
     curves: &[
         ("slewing_slope", None, &s::M_GAMMA),
         ("slewing_steady", None, &s::M_ST),
         ("slewing_acceleration", None, &s::D_OMEGA_SL),
-        ("slewing_coupling", None, &s::M_CD),
     ],
     extremes: &[
         Greatest::new(&s::M_GAMMA_MAX, Most::Amount, &s::M_GAMMA),
         Greatest::new(&s::M_ST_MAX, Most::Amount, &s::M_ST),
         Greatest::new(&s::P_ST_MAX, Most::Amount, &s::P_ST),
-        Greatest::new(&s::M_CD_MAX, Most::Amount, &s::M_CD),
     ],
     summary: &[],
     sensitivity: &[&s::M_ST_MAX, &s::P_ST_MAX],
@@ -50,6 +48,6 @@ pub const OUTLINE: Outline = Outline {
         ("start", &[&s::PSI_SL]),
         ("hook", &[&s::L_R, &s::PHI_R, &s::CHI_R]),
     ],
-    forces: listed!(s: M_ST, F_N, F_T, S_R, M_CD),
+    forces: listed!(s: M_ST, F_N, F_T, S_R),
     worst: &[("greatest_moment", &s::M_ST_MAX)],
 };

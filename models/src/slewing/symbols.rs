@@ -44,14 +44,14 @@ symbols! {
 
     // Of a coupling that slips.
     OMEGA_D: "omega_d" "omega_\"d\"" RAD_PER_S / DEG_PER_S, "Angular velocity of the drive's side of the coupling, reduced to the slewing axis; that of slewing while the coupling sticks.", "equations of motion";
-    PSI_SLIP: "psi_slip" "psi_\"slip\"" RAD / DEG, "Angle through which the coupling has slipped, to and fro together.", "[Ports001, 6.5.4]";
-    W_SLIP: "W_slip" "W_\"slip\"" J / KJ, "Heat of the coupling: energy that its slipping has taken.", "[Ports001, 6.5.4]";
-    P_SLIP: "P_slip" "P_\"slip\"" W / KW, "Power that the slipping of the coupling takes.", "[Ports001, 6.5.4]";
+    PSI_SLIP: "psi_slip" "psi_\"slip\"" RAD / DEG, "Angle through which the coupling has slipped, to and fro together.", "equations of motion";
+    W_SLIP: "W_slip" "W_\"slip\"" J / KJ, "Heat of the coupling: energy that its slipping has taken.", "equations of motion";
+    P_SLIP: "P_slip" "P_\"slip\"" W / KW, "Power that the slipping of the coupling takes.", "equations of motion";
     M_CD: "M_cd" "M_\"c\"" N_M / KN_M, "Moment that the coupling passes on to what slews; while it sticks, what it must: at rest the least by which both sides stay.", "[Ports001, 6.5.4]";
     M_RD: "M_Rd" "M_\"R d\"" N_M / KN_M, "Moment of the brake on the drive's side while the coupling slips; while it sticks, the brake is a part of what resists slewing.", "[Ports001, 6.5.4]";
     E_D: "E_d" "E_\"d\"" J / KJ [not_negative], "Kinetic energy of the drive's side.", "Newton and Euler";
     D_OMEGA_D: "der(omega_d)" "dot(omega)_\"d\"" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of the drive's side.", "equations of motion";
-    D_PSI_SLIP: "der(psi_slip)" "dot(psi)_\"slip\"" RAD_PER_S / DEG_PER_S, "Angular velocity with which the coupling slips, by amount.", "[Ports001, 6.5.4]";
+    D_PSI_SLIP: "der(psi_slip)" "dot(psi)_\"slip\"" RAD_PER_S / DEG_PER_S, "Angular velocity with which the coupling slips, by amount.", "equations of motion";
     SLIP: "slip" "s" ONE / ONE, "Whether the coupling sticks (0), or which way its drive's side runs from what slews (1, -1).", "state";
     WAY_D: "way_d" "w_\"d\"" ONE / ONE, "Whether the drive's side rests (0) while the coupling slips, or which way it turns (1, -1).", "state";
     Z_D_REST: "z.d_rest" "z_20" ONE / ONE, "Falls below zero where the drive's side comes to rest while the coupling slips, or breaks loose to the right.", "event";
@@ -63,6 +63,5 @@ symbols! {
     M_GAMMA_MAX: "M_gamma_max" "M_(gamma,max)" N_M / KN_M, "Greatest moment of the slope in the working range, by amount.", "derived";
     M_ST_MAX: "M_st_max" "M_(\"st\",max)" N_M / KN_M, "Greatest moment of steady slewing in the working range, by amount.", "derived";
     P_ST_MAX: "P_st_max" "P_(\"st\",max)" W / KW, "Greatest power of steady slewing in the working range, by amount.", "derived";
-    M_CD_MAX: "M_cd_max" "M_\"c,max\"" N_M / KN_M, "Greatest moment that the coupling must pass on in the working range while it sticks, by amount.", "derived";
     AGREEMENT: "agreement" "delta" ONE / ONE, "Difference of two independent ways, relative to the largest value.", "derived";
 }

@@ -160,12 +160,7 @@ fn suits(v: &Values, scheme: Scheme, found: &mut Vec<Diagnostic>) {
         };
         found.push(v.refuse("drums", what, label, help));
     }
-    for drum in drums {
-        if let Some(ropes) = drum.of(&s::Z_R).filter(|ropes| ropes.fract() != 0.0) {
-            let what = format!("a drum with z_r = {ropes} ropes");
-            found.push(drum.refuse(s::Z_R.id, what, "no number of ropes", "give a whole number, from 1 on"));
-        }
-    }
+    found.extend(drums.iter().filter_map(|drum| drum.broken(&s::Z_R)));
     let phases = v.tables("phases");
     if phases.len() < PHASES[0] {
         let what = format!("a cycle of {} phases", phases.len());

@@ -4,7 +4,6 @@
 use std::panic::resume_unwind;
 
 use lemnis_models::component::sheet::{self, Sheet};
-use lemnis_models::kernel::number::Number;
 use lemnis_models::kernel::origin::Written;
 use lemnis_models::kernel::shared::each;
 use lemnis_models::kernel::symbol::Symbol;
@@ -216,8 +215,6 @@ impl<'a> Teller<'a> {
     fn requirement(&self, check: &sheet::Check) -> Requirement {
         let (symbol, numbers) = (check.symbol, self.numbers);
         let relation = if check.at_most { "<=" } else { ">=" };
-        let told = check.limit != 0.0 && (check.at_most || check.value.is_finite());
-        let percent = |number: &Number| numbers.language.text(number);
         Requirement {
             sentence: self.word("check", check.id),
             of: check.of.id,
@@ -227,7 +224,7 @@ impl<'a> Teller<'a> {
             limit: Script::of_math(&format!("{relation} {}", numbers.limit(symbol, check.limit))),
             passed: check.passed(),
             verdict: self.word("verdict", verdict(check)),
-            utilisation: told.then(|| percent(&utilisation(check))),
+            utilisation: utilisation(check).map(|part| numbers.language.text(&part)),
             at: self.at(check.at),
         }
     }

@@ -123,6 +123,9 @@ fn front(numbers: &Numbers, scene: &Scene, asked: &Request) -> Option<String> {
     let count = asked.varied.first()?.front.len();
     let of = |i: usize| point(asked.varied.iter().map(|varied| varied.front[i]).collect());
     let points: Vec<[f64; 2]> = (0..count).filter_map(of).collect();
+    if points.len() < 2 {
+        return None;
+    }
     let own = point(asked.varied.iter().map(|varied| varied.value).collect())?;
     let lines = [(String::new(), points), (OWN.to_owned(), vec![own])];
     let lines = lines.map(|(label, points)| Line {
@@ -130,8 +133,7 @@ fn front(numbers: &Numbers, scene: &Scene, asked: &Request) -> Option<String> {
         points,
         marked: true,
     });
-    let drawn = lines[0].points.len() > 1;
-    drawn.then(|| plot::lines(numbers.language, wanted.map(|result| result.symbol), &lines).json())
+    Some(plot::lines(numbers.language, wanted.map(|result| result.symbol), &lines).json())
 }
 
 fn of_quantity(numbers: &Numbers, varied: &Varied) -> Row {

@@ -110,8 +110,7 @@ fn check(numbers: &Numbers, check: &sheet::Check, dm_95: Option<f64>) -> Check {
         limit: numbers.limit(check.symbol, check.limit),
         at_most: check.at_most,
         passed: check.passed(),
-        utilisation: (check.limit != 0.0 && (check.at_most || check.value.is_finite()))
-            .then(|| numbers.language.text(&utilisation(check))),
+        utilisation: utilisation(check).map(|part| numbers.language.text(&part)),
         at: check.at.map(|(symbol, at)| numbers.named(symbol, at)),
         band: check.band.map(|band| numbers.rough(check.symbol, band)),
         doubtful: check.is_doubtful(),
@@ -119,14 +118,18 @@ fn check(numbers: &Numbers, check: &sheet::Check, dm_95: Option<f64>) -> Check {
     }
 }
 
-/// In percent; of a limit that is not kept above 100, however little.
-pub(crate) fn utilisation(check: &sheet::Check) -> Number {
+/// In percent; of a limit that is not kept above 100, however little. `None` where the limit is zero, where the value is
+/// infinitely far from it, and where both point different ways.
+pub(crate) fn utilisation(check: &sheet::Check) -> Option<Number> {
     let part = 100.0 * check.utilisation();
+    if check.limit == 0.0 || part < 0.0 || !check.at_most && !check.value.is_finite() {
+        return None;
+    }
     let beyond = |decimals: &u32| {
         let unit = f64::from(10_u32.pow(*decimals));
         check.passed() || (part * unit).round() > 100.0 * unit
     };
-    fixed(part, (1..6).find(beyond).unwrap_or(6) as usize)
+    Some(fixed(part, (1..6).find(beyond).unwrap_or(6) as usize))
 }
 
 fn warnings(numbers: &Numbers, sheet: &Sheet) -> Vec<Warning> {

@@ -144,10 +144,7 @@ fn each(
 
 /// Refuses part of a drive, motors that nothing heats, a coupling without a brake, and a ring within its pinion.
 fn suits(table: &Values, cases: &[Values], heating: usize, found: &mut Vec<Diagnostic>) {
-    if let Some(count) = table.of(&s::Z_D).filter(|count| count.fract() != 0.0) {
-        let what = format!("z_d = {} drives", s::Z_D.written(count));
-        found.push(table.refuse(s::Z_D.id, what, "no number of drives", "give a whole number"));
-    }
+    found.extend(table.broken(&s::Z_D));
     match cases.get(heating).map(|case| case.number(s::N_S.id)) {
         None => {
             let what = format!("heating in load case {}, and there are {}", heating + 1, cases.len());

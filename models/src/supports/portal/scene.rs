@@ -71,12 +71,7 @@ fn corners(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Vec<CornerWheels<f
                     behind on the left one, behind on the right one";
         found.push(v.refuse("corners", what, "not four", help));
     }
-    for (table, corner) in v.tables("corners").iter().zip(&corners) {
-        if corner.n_w.fract() != 0.0 {
-            let what = format!("a corner with n_w = {} wheels", corner.n_w);
-            found.push(table.refuse(s::N_W.id, what, "no number of wheels", "give a whole number, from 1 on"));
-        }
-    }
+    found.extend(v.tables("corners").iter().filter_map(|corner| corner.broken(&s::N_W)));
     Some(corners)
 }
 

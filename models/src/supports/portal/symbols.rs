@@ -104,21 +104,21 @@ symbols! {
     // Travel.
     W: "w" "w" ONE / ONE [not_negative], "Resistance of the wheels without flanges, over what they bear.", "equilibrium";
     A_SUM: "A_sum" "A_\"w\"" M2 / M2 [not_negative], "Sum of the wind areas.", "derived";
-    F_0: "F_0" "F_0" N / KN [not_negative], "Resistance of the wheels without flanges.", "[Ports001, 7.2]";
-    F_F: "F_f" "F_\"f\"" N / KN [not_negative], "Resistance of the wheels with their flanges.", "[Ports001, 7.2]";
+    F_0: "F_0" "F_0" N / KN [not_negative], "Resistance of the wheels without flanges.", "equilibrium";
+    F_F: "F_f" "F_\"f\"" N / KN [not_negative], "Resistance of the wheels with their flanges.", "equilibrium";
     F_GAMMA: "F_gamma" "F_gamma" N / KN [not_negative], "Force down the slope of the rails.", "equilibrium";
-    F_WT: "F_wt" "F_\"wt\"" N / KN [not_negative], "Force of the wind along the rails.", "[Ports001, 7.2]";
-    F_T: "F_t" "F_\"t\"" N / KN [not_negative], "Force that steady travel asks for, up the slope and into the wind.", "[Ports001, 7.2]";
+    F_WT: "F_wt" "F_\"wt\"" N / KN [not_negative], "Force of the wind along the rails.", "equilibrium";
+    F_T: "F_t" "F_\"t\"" N / KN [not_negative], "Force that steady travel asks for, up the slope and into the wind.", "equilibrium";
     F_A: "F_a" "F_\"a\"" N / KN [not_negative], "Force that accelerates the crane with its load.", "Newton and Euler";
-    F_TA: "F_ta" "F_\"ta\"" N / KN [not_negative], "Force that a start of travel asks of the driven wheels.", "[Ports001, 7.2]";
+    F_TA: "F_ta" "F_\"ta\"" N / KN [not_negative], "Force that a start of travel asks of the driven wheels.", "Newton and Euler";
     N_T: "n_t" "n_\"t\"" PER_S / PER_MIN, "Speed of the motors.", "derived";
-    P_T: "P_t" "P_\"t\"" W / KW, "Power of each motor in steady travel.", "[Ports001, 7.2]";
+    P_T: "P_t" "P_\"t\"" W / KW, "Power of each motor in steady travel.", "derived";
     U_T: "u_t" "u_\"t\"" ONE / ONE, "Power of each motor in steady travel over its rated power.", "derived";
     M_J: "m_J" "m_J" KG / T, "Mass at the wheels that is as hard to accelerate as the shafts of all motors.", "Newton and Euler";
-    P_A: "P_a" "P_\"a\"" W / KW, "Power of each motor at the end of a start.", "[Ports001, 7.2]";
+    P_A: "P_a" "P_\"a\"" W / KW, "Power of each motor at the end of a start.", "Newton and Euler";
     U_A: "u_a" "u_\"a\"" ONE / ONE, "Power of each motor at the end of a start over the greatest that it may give.", "derived";
-    F_DO: "F_do" "F_\"do\"" N / KN, "Force that drives the crane on that is to stop: wind from behind and the slope, less the wheels' resistance.", "[Ports001, 7.2]";
-    F_HD: "F_hd" "F_\"hd\"" N / KN, "Force that the brakes must hold at work; negative where the wheels' resistance holds it.", "[Ports001, 7.2]";
+    F_DO: "F_do" "F_\"do\"" N / KN, "Force that drives the crane on that is to stop: wind from behind and the slope, less the wheels' resistance.", "equilibrium";
+    F_HD: "F_hd" "F_\"hd\"" N / KN, "Force that the brakes must hold at work; negative where the wheels' resistance holds it.", "equilibrium";
     U_HD: "u_hd" "u_\"hd\"" ONE / ONE, "What the brakes must hold at work over their force.", "derived";
     A_BR: "a_br" "a_\"br\"" M_PER_S2 / M_PER_S2, "Deceleration of a stop by the brakes.", "Newton and Euler";
     T_BR: "t_br" "t_\"br\"" S / S, "Time of a stop by the brakes.", "derived";
@@ -132,14 +132,14 @@ symbols! {
     K_BR: "k_br" "k_(\"br\" i)" ONE / ONE [infinite("where the corner has no driven wheels")], "Safety of a corner's driven wheels against sliding in a stop.", "Coulomb";
 
     // Out of service.
-    F_SW: "F_sw" "F_\"sw\"" N / KN [not_negative], "Force of the wind out of service, along the rails.", "[Ports001, 7.2]";
+    F_SW: "F_sw" "F_\"sw\"" N / KN [not_negative], "Force of the wind out of service, along the rails.", "equilibrium";
     M_SW: "M_sw" "M_\"sw\"" N_M / KN_M [not_negative], "Moment of the wind out of service about the rails' height.", "equilibrium";
-    F_0S: "F_0s" "F_\"0s\"" N / KN [not_negative], "Resistance of the wheels without flanges, of the crane without load.", "[Ports001, 7.2]";
+    F_0S: "F_0s" "F_\"0s\"" N / KN [not_negative], "Resistance of the wheels without flanges, of the crane without load.", "equilibrium";
     F_GS: "F_gs" "F_(gamma \"s\")" N / KN [not_negative], "Force down the slope of the rails, of the crane without load.", "equilibrium";
-    F_CL: "F_cl" "F_\"cl\"" N / KN, "Force along the rails that all rail clamps must hold; negative where the wheels' resistance holds it.", "[Ports001, 7.2]";
+    F_CL: "F_cl" "F_\"cl\"" N / KN, "Force along the rails that all rail clamps must hold; negative where the wheels' resistance holds it.", "equilibrium";
     F_C1: "F_c1" "F_\"c1\"" N / KN, "Force along the rails that a rail clamp must hold.", "derived";
     U_C: "u_c" "u_\"c\"" ONE / ONE, "What a rail clamp must hold over what it holds.", "derived";
-    K_S: "K_s" "K_(\"s\" i)" ONE / ONE [infinite("where the wind has no moment")], "Safety against tipping about an edge by the wind out of service, without load, untied: 1 in front, 2 the left rail, 3 behind, 4 the right rail.", "[Ports001, 7.2]";
+    K_S: "K_s" "K_(\"s\" i)" ONE / ONE [infinite("where the wind has no moment")], "Safety against tipping about an edge by the wind out of service, without load, untied: 1 in front, 2 the left rail, 3 behind, 4 the right rail.", "equilibrium";
     U: "U" "U_i" N / KN, "Pull down that the anchors across from an edge must give together against the wind out of service; negative where none is needed.", "equilibrium";
 
     // The full circle, in closed form.

@@ -84,14 +84,8 @@ pub const ENTRY: Entry = Description::<RingScene>::entry("ring", KEYS);
 /// The rolling elements; mistakes go to `found`.
 fn rolling(v: &Values, found: &mut Vec<Diagnostic>) -> Option<RollingElements> {
     let count = v.of(&s::Z)?;
-    if count.fract() != 0.0 {
-        let what = format!("a ring with z = {count} rolling elements");
-        found.push(v.refuse(
-            s::Z.id,
-            what,
-            "no number of rolling elements",
-            "give a whole number, from 3 on",
-        ));
+    if let Some(refused) = v.broken(&s::Z) {
+        found.push(refused);
         return None;
     }
     let law = LAWS.iter().position(|law| v.text("law") == Some(law))?;
@@ -104,12 +98,7 @@ fn rolling(v: &Values, found: &mut Vec<Diagnostic>) -> Option<RollingElements> {
 
 /// Refuses part of a bolt, and the life of what is neither ball nor roller.
 fn bolted(v: &Values, found: &mut Vec<Diagnostic>) {
-    if let Some(bolts) = v.table("bolts")
-        && let Some(count) = bolts.of(&s::N_B).filter(|count| count.fract() != 0.0)
-    {
-        let what = format!("a ring with n_b = {count} bolts");
-        found.push(bolts.refuse(s::N_B.id, what, "no number of bolts", "give a whole number, from 3 on"));
-    }
+    found.extend(v.table("bolts").and_then(|bolts| bolts.broken(&s::N_B)));
     if let Some(life) = v.table("life").filter(|_| v.text("law") == Some(LAWS[0])) {
         let what = "life of rolling elements that yield linearly";
         let help = "give law = \"point\" for balls or law = \"line\" for rollers: their lives go with other powers";

@@ -22,7 +22,7 @@ pub struct TravelWind<C> {
 results! { TravelWind as w => { A_SUM: w.area; F_WT: w.force; } }
 
 impl<C: Calc> TravelWind<C> {
-    /// A_w = Σ A_w,i, F_wt = p_w A_w |cos χ_w|. [Ports001, 7.2]
+    /// A_w = Σ A_w,i, F_wt = p_w A_w |cos χ_w|. (equilibrium)
     pub fn new(_: &PortalTravel<C>, wind: &Blowing<C>, areas: &[WindArea<C>]) -> TravelWind<C> {
         let area = sum(areas.iter().map(|area| area.a_w)).def(&s::A_SUM);
         let along = wind.chi_w.sin_cos().1.abs();
@@ -56,7 +56,7 @@ results! { PortalResistance as r => {
 
 impl<C: Calc> PortalResistance<C> {
     /// F_0 = w V cos γ, F_f = β F_0, F_γ = V sin γ, F_t = F_f + F_γ + F_wt, F_a = V a_t/g,
-    /// F_ta = F_t + F_a. [Ports001, 7.2]
+    /// F_ta = F_t + F_a. (equilibrium)
     pub fn new(
         gravity: &One<C>,
         wheels: &PortalWheels<C>,

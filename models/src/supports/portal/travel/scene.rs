@@ -4,7 +4,6 @@ use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::group::One;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Values};
-use crate::kernel::symbol::Symbol;
 use crate::supports::plan::each;
 use crate::supports::portal::symbols as s;
 use crate::supports::portal::travel::given::{CornerDrive, PortalMotors, PortalStorm, PortalTravel, PortalWheels};
@@ -52,10 +51,8 @@ impl TravelScene {
                 help,
             ));
         }
-        whole(table, &s::Z_M, found);
-        if let Some(storm) = storm {
-            whole(storm, &s::Z_C, found);
-        }
+        found.extend(table.broken(&s::Z_M));
+        found.extend(storm.and_then(|storm| storm.broken(&s::Z_C)));
         for corner in v.tables("corners").iter().filter(|corner| !corner.has(s::N_DR.id)) {
             let (label, help) = (
                 "[supports.travel] needs n_dr",
@@ -76,18 +73,10 @@ impl TravelScene {
     }
 }
 
-/// Refuses what is no whole number.
-pub fn whole(table: &Values, symbol: &'static Symbol, found: &mut Vec<Diagnostic>) {
-    if let Some(count) = table.of(symbol).filter(|count| count.fract() != 0.0) {
-        let what = format!("{} = {count}", symbol.id);
-        found.push(table.refuse(symbol.id, what, "no whole number", "give a whole number"));
-    }
-}
-
 /// Refuses parts of driven wheels, more of them than wheels, and a drive that drives none.
 fn suits(v: &Values, driven: &[CornerDrive<f64>], found: &mut Vec<Diagnostic>) {
     for (corner, drive) in v.tables("corners").iter().zip(driven) {
-        whole(corner, &s::N_DR, found);
+        found.extend(corner.broken(&s::N_DR));
         if let Some(wheels) = corner.of(&s::N_W).filter(|wheels| drive.n_dr > *wheels) {
             let what = format!("{} driven wheels of {wheels}", drive.n_dr);
             let help = "drive at most as many as n_w, or give more wheels";

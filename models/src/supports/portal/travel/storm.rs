@@ -33,7 +33,7 @@ results! { StormForces as f => {
 
 impl<C: Calc> StormForces<C> {
     /// F_sw = p_s A_w, M_sw = p_s Σ A_w h_w, F_0s = w V_0 cos γ, F_γs = V_0 sin γ, F_cl = k_w F_sw + F_γs − F_0s, F_c1 = F_cl/z_c:
-    /// the brakes do not count. [Ports001, 7.2]
+    /// the brakes do not count. (equilibrium)
     pub fn new(
         travel: &PortalTravel<C>,
         storm: &PortalStorm<C>,
@@ -70,7 +70,7 @@ pub struct StormEdge<C> {
 results! { each StormEdge as e => { K_S: e.safety; U: e.pull; } }
 
 impl<C: Calc> StormEdge<C> {
-    /// K_s = M_s/M_sw, U = (k_w M_sw − M_s)/a, or b: the wind blows towards the edge. [Ports001, 7.2]
+    /// K_s = M_s/M_sw, U = (k_w M_sw − M_s)/a, or b: the wind blows towards the edge. (equilibrium)
     pub fn new(travel: &PortalTravel<C>, storm: &StormForces<C>, edge: &Edge<C>) -> StormEdge<C> {
         StormEdge {
             safety: safety(edge.holds, storm.moment, &s::K_S),
