@@ -185,14 +185,14 @@ def test_levers_and_areas_past_deck_edge_and_bilge(fmus):
 
 def test_a_load_is_lost(fmus):
     psi, reach, load = math.radians(70.0), 25.0, 100 * T
-    names = ["phi", "phi_0", "A_I", "A_II", "phi_2", "d_A", "A_res"]
+    names = ["phi", "phi_Q0", "A_I", "A_II", "phi_2", "d_A", "A_res"]
     found = at(fmus["FMI 3"], names, psi_sl=psi, R=reach, Q=load)
     loaded, empty, end = crane(psi, reach, load), crane(psi, reach, load, lost=True), math.radians(20.0)
     heel, rest = (math.atan(hull.rest()[2]) for hull in (loaded, empty))
     low = empty.energy(rest)
     drives, stops = empty.energy(heel) - low, empty.energy(-end) - low
     rolls = brentq(lambda phi: empty.energy(phi) - low - drives, -end, rest - 1e-3, xtol=1e-10)
-    wanted = {"phi": heel, "phi_0": rest, "A_I": drives, "A_II": stops, "phi_2": rolls,
+    wanted = {"phi": heel, "phi_Q0": rest, "A_I": drives, "A_II": stops, "phi_2": rolls,
               "d_A": stops - drives - math.radians(2.13), "A_res": loaded.energy(end) - loaded.energy(heel)}
     for name, value in wanted.items():
         assert found[name] == pytest.approx(value, abs=1e-7), name

@@ -137,7 +137,7 @@ pub const PARTS: [Key; 5] = [
 ];
 
 /// Mechanisms that carry another one, which is a part of theirs where both stand in a scene.
-const CARRIERS: [[&str; 2]; 1] = [[HULL.name, LUFFING.name]];
+const CARRIERS: [[&str; 2]; 2] = [[HULL.name, LUFFING.name], [SUPPORTS.name, LUFFING.name]];
 
 /// What may stand beside a mechanism, as a part of its table.
 pub fn beside(mechanism: &str) -> impl Iterator<Item = &'static str> {
@@ -217,6 +217,9 @@ static TELLERS: &[Teller] = &[
 pub fn vocabularies() -> impl Iterator<Item = (&'static str, &'static Vocabulary)> {
     TELLERS.iter().map(|teller| (teller.id, teller.vocabulary))
 }
+
+/// Symbols that several mechanisms share, with words of their own.
+pub static LENT: [&Vocabulary; 1] = [&luffing::aboard::VOCABULARY];
 
 /// What the teller of a mechanism says.
 fn told<R>(mut of: impl FnMut(&Teller) -> Option<R>) -> R {

@@ -211,7 +211,7 @@ fn a_load_is_lost() {
         let cos = Calc::sin_cos(phi).1;
         gm * (1.0 - cos) + bm / 2.0 * (1.0 / cos + cos - 2.0)
     };
-    near(get(&mut model, "phi_0"), 0.0, 1e-13);
+    near(get(&mut model, "phi_Q0"), 0.0, 1e-13);
     near(get(&mut model, "A_I"), area(heel), 1e-13);
     near(get(&mut model, "A_II"), area(rad(12.0)), 1e-13);
     // Alike on both sides: it rolls as far as it came from.
@@ -295,7 +295,7 @@ fn derivatives() {
     let mut model = model(READY);
     set(&mut model, "psi_sl", rad(50.0));
     let results = [
-        "phi", "theta", "T", "f_low", "GM", "GZ[3]", "e[3]", "A_res", "phi_2", "A_I", "A_II", "phi_0", "phi_d",
+        "phi", "theta", "T", "f_low", "GM", "GZ[3]", "e[3]", "A_res", "phi_2", "A_I", "A_II", "phi_Q0", "phi_d",
     ];
     let by = [
         "psi_sl", "R", "Q", "B", "L", "D", "h_s", "x_m[2]", "G_m[3]", "h_t[1]", "b_t[2]", "y_t[1]", "p_w", "phi_h[3]",

@@ -11,7 +11,7 @@ use std::sync::{Arc, OnceLock};
 use lemnis_models::component::description::Vocabulary;
 use lemnis_models::kernel::number::Number;
 use lemnis_models::kernel::symbol::Symbol;
-use lemnis_models::registry::vocabularies;
+use lemnis_models::registry::{LENT, vocabularies};
 
 use crate::print::prose::prose;
 
@@ -221,7 +221,7 @@ impl Words {
         let mut words = merged(language.words())?;
         let mut meanings = Vec::new();
         if language.code == LANGUAGES[0].code {
-            for (_, of) in vocabularies() {
+            for of in vocabularies().map(|(_, of)| of).chain(LENT) {
                 words.entry(of.words.to_owned()).or_default();
                 meanings.push(Meanings {
                     of,
@@ -249,9 +249,14 @@ impl Words {
     }
 
     pub(crate) fn get(&self, group: &str, id: &str) -> Result<&str, String> {
+        let mut of_group = vocabularies().map(|(_, of)| of).filter(|of| of.words == group);
         let shared = || {
-            self.find(SHARED, id)
-                .filter(|_| vocabularies().any(|(_, symbols)| symbols.words == group))
+            let of = of_group.next()?;
+            let mut lent = LENT
+                .iter()
+                .filter(|lent| lent.own.iter().all(|table| of.shared.contains(table)));
+            lent.find_map(|lent| self.find(lent.words, id))
+                .or_else(|| self.find(SHARED, id))
         };
         let word = self.find(group, id).or_else(shared);
         word.ok_or_else(|| format!("no words for {group}.{id}"))

@@ -9,7 +9,7 @@ use lemnis_models::kernel::symbol::Symbol;
 use toml::{Table, Value};
 
 use crate::bodies::{list, row};
-use crate::luffing::{carried, working_range};
+use crate::luffing::{aboard, working_range};
 use crate::scene::{Draw, Node};
 
 /// A result that every level has.
@@ -82,25 +82,8 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
 
 /// A luffing mechanism whose weights are a small part of another one (N), and a mass that slews with it.
 fn luffer(n: &mut Node, weight: f64) {
-    let (size, g) = (n.draw.scale[0], n.draw.g);
-    let mut bars = n.child("luffing").expect("it luffs");
-    bars.keep("balance", false);
-    bars.keep("weights", true);
-    bars.keep("dynamics", true);
-    carried(&mut bars);
-    let mut bodies = bars.child("weights").expect("kept");
-    for (heavy, far) in [("G_1", "s_1"), ("G_2", "s_2"), ("G_3", "s_3")] {
-        let part = bodies.draw.between(1e-4, 1e-3);
-        bodies.set(heavy, part * weight);
-        let part = bodies.draw.between(0.0, 0.5);
-        bodies.set(far, part * size);
-    }
-    let mut inertias = bars.child("dynamics").expect("kept");
-    for name in ["J_1", "J_2", "J_3"] {
-        let part = inertias.draw.between(0.0, 1e-4);
-        inertias.set(name, (part * weight / g * size * size).min(1e17));
-    }
-    n.remove(&["theta_1"]);
+    let size = n.draw.scale[0];
+    aboard(n, weight);
     if n.has("turning") {
         list(n, "turning", 1, &mut |draw, _| {
             let (own, [x, y, z]) = (

@@ -217,9 +217,48 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
 }
 
 /// A linkage that something else carries, with its working range.
-pub fn carried(n: &mut Node) {
+fn carried(n: &mut Node) {
     let (_, range) = built(n);
     working_range(n, range);
+}
+
+/// A luffing mechanism on something of a weight (N), of which its bars weigh little; it begins where its range does.
+pub fn aboard(n: &mut Node, weight: f64) {
+    let (size, g) = (n.draw.scale[0], n.draw.g);
+    let mut bars = n.child("luffing").expect("it luffs");
+    bars.keep("balance", false);
+    bars.keep("weights", true);
+    bars.keep("dynamics", true);
+    carried(&mut bars);
+    let mut bodies = bars.child("weights").expect("kept");
+    for (heavy, far) in [("G_1", "s_1"), ("G_2", "s_2"), ("G_3", "s_3")] {
+        let part = bodies.draw.between(1e-4, 1e-3);
+        bodies.set(heavy, part * weight);
+        let part = bodies.draw.between(0.0, 0.5);
+        bodies.set(far, part * size);
+    }
+    let mut inertias = bars.child("dynamics").expect("kept");
+    for name in ["J_1", "J_2", "J_3"] {
+        let part = inertias.draw.between(0.0, 1e-4);
+        inertias.set(name, (part * weight / g * size * size).min(1e17));
+    }
+    n.remove(&["theta_1"]);
+}
+
+/// Load (N) and reach (m) of a crane on something of a weight (N), or the luffing mechanism that gives the reach; whether it luffs.
+pub fn load(n: &mut Node, weight: f64, far: f64) -> bool {
+    let luffs = n.has("luffing");
+    let (load, reach) = (n.draw.between(0.0, 0.1), n.draw.between(0.0, 0.5));
+    // Bars may reach far.
+    n.set("Q", weight * if luffs { 0.02 * load } else { load });
+    n.keep("R", !luffs);
+    if luffs {
+        aboard(n, weight);
+    } else {
+        n.set("R", far * reach);
+        n.remove(&["theta_1", "h_1"]);
+    }
+    luffs
 }
 
 /// The linkage with what hangs on it, and the angles (rad) over which it works.

@@ -9,7 +9,7 @@ use lemnis_models::supports::portal::symbols as s;
 use toml::{Table, Value};
 
 use crate::bodies::{list, row};
-use crate::luffing::working_range;
+use crate::luffing::{load, working_range};
 use crate::scene::{Draw, Node};
 
 /// A result that every level has.
@@ -35,9 +35,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
         let (own, place) = (weight * draw.between(0.0, 0.5), size * draw.between(-0.1, 0.1));
         row(draw, &[(&s::G_U, own), (&s::R_U, place)])
     });
-    let (load, reach) = (n.draw.between(0.0, 0.1), n.draw.between(0.0, 0.5));
-    n.set("Q", weight * load);
-    n.set("R", size * reach);
+    load(&mut n, weight, size);
     if n.has("k_l") {
         let part = n.draw.between(0.0, 0.3);
         n.set("k_l", part);

@@ -4,7 +4,7 @@ use lemnis_models::supports::drive::symbols as d;
 use lemnis_models::supports::upper::symbols as s;
 
 use crate::bodies::{list, row};
-use crate::luffing::LEAST_LENGTH;
+use crate::luffing::{LEAST_LENGTH, load};
 use crate::scene::Node;
 
 /// So much weight at so great a size, the bodies and the load as many times that size from the axis as `far` says.
@@ -15,13 +15,19 @@ pub fn slewing(n: &mut Node, [size, weight, far]: [f64; 3]) {
         let high = size * draw.between(0.0, 0.5);
         row(draw, &[(&s::G_U, own), (&s::R_U, place), (&s::H_U, high)])
     });
-    let (load, reach) = (n.draw.between(0.0, 0.1), n.draw.between(0.0, 0.5));
-    n.set("Q", weight * load);
-    n.set("R", far * size * reach);
+    let luffs = load(n, weight, far * size);
+    if luffs {
+        let foot = size * n.draw.between(0.0, 0.5);
+        n.keep("h_1", true);
+        n.set("h_1", foot);
+    }
     if let Some(mut slope) = n.child("slope") {
         let (gamma, high) = (slope.draw.between(0.0, 0.05), size * slope.draw.between(0.0, 1.0));
         slope.set("gamma", gamma);
-        slope.set("h_Q", high);
+        slope.keep("h_Q", !luffs);
+        if !luffs {
+            slope.set("h_Q", high);
+        }
     }
     let (areas, cases) = (n.draw.rng.usize(0..3), n.draw.rng.usize(1..4));
     let [drives, brakes] = turning(n, [size, weight]);

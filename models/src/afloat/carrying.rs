@@ -5,12 +5,12 @@
 
 use nalgebra::Vector3;
 
-use crate::afloat::crane::TurningMass;
-use crate::afloat::luffed::{Luffed, LuffingMotion};
+use crate::afloat::crane::{LuffingMotion, TurningMass};
 use crate::afloat::riding::{HullMotion, RidingHull};
 use crate::afloat::weights::CranePlace;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
+use crate::luffing::luffed::Luffed;
 use crate::luffing::moving::weighed::Weight;
 use crate::parts::plane::Point;
 

@@ -1,12 +1,31 @@
 //! A crane whose head a luffing mechanism carries: where its head is, and what it weighs.
 
-use crate::afloat::luffed::Luffed;
 use crate::afloat::symbols as s;
 use crate::afloat::weights::{CranePlace, Weighed};
+use crate::component::scalar::Scalar;
 use crate::component::stages::{absent, results};
 use crate::kernel::calc::{Calc, sum};
 use crate::kernel::group::{One, quantities};
 use crate::kernel::variable::Fault;
+use crate::luffing::luffed::{self, Luffed, Luffer};
+
+quantities! {
+    /// The luffing angle, and its rate.
+    LuffingMotion { theta_1: THETA_1, omega_1: OMEGA_1 }
+}
+
+/// The luffing mechanism where it moves or is held.
+///
+/// # Errors
+/// As [`Luffed::at`].
+pub fn luffed<C: Scalar>(
+    of: &Luffer,
+    held: &Option<One<C>>,
+    luffing: &Option<LuffingMotion<C>>,
+) -> Result<Luffed<C>, Fault> {
+    let moved = luffing.map(|luffing| luffing.theta_1);
+    Luffed::at(of, moved.or(held.map(|held| held.1)))
+}
 
 quantities! {
     /// A mass that slews.
@@ -25,19 +44,13 @@ impl<C: Calc> HungPoint<C> {
     /// As given; or h_s = h_1 + h_A.
     ///
     /// # Errors
-    /// Neither a reach nor a luffing mechanism.
+    /// As [`luffed::reach`].
     pub fn new(reach: &Option<One<C>>, height: &One<C>, luffed: Option<&Luffed<C>>) -> Result<HungPoint<C>, Fault> {
-        match (luffed, reach) {
-            (Some(luffed), _) => Ok(HungPoint {
-                reach: luffed.sums[0],
-                height: (height.1 + luffed.sums[1]).def(&s::H_S),
-            }),
-            (_, Some(reach)) => Ok(HungPoint {
-                reach: reach.1,
-                height: height.1,
-            }),
-            _ => Err(Fault::new("a crane has a reach or a luffing mechanism")),
-        }
+        let above = |luffed: &Luffed<C>| (height.1 + luffed.height).def(&s::H_S);
+        Ok(HungPoint {
+            reach: luffed::reach(reach, luffed)?,
+            height: luffed.map_or(height.1, above),
+        })
     }
 }
 
@@ -77,8 +90,8 @@ impl<C: Calc> CraneWeights<C> {
     ) -> CraneWeights<C> {
         let of = |each: &dyn Fn(&TurningMass<C>) -> C| sum(turning.iter().map(|mass| mass.g_u * each(mass)));
         let with = |own: C, each: &dyn Fn(&TurningMass<C>) -> C| if turning.is_empty() { own } else { own + of(each) };
-        let [_, _, _, _, weight, forward, up, ..] = luffed.sums;
-        let up = with(weight * foot.1 + up, &|mass| mass.z_u).def(&s::M_VC);
+        let (weight, forward) = (luffed.weight, luffed.forward);
+        let up = with(weight * foot.1 + luffed.up, &|mass| mass.z_u).def(&s::M_VC);
         let weight = match turning {
             [] => weight,
             _ => weight + sum(turning.iter().map(|mass| mass.g_u)),

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use crate::afloat::carrying::CraneAfloat;
-use crate::afloat::luffed::LuffingMotion;
+use crate::afloat::crane::LuffingMotion;
 use crate::afloat::swaying::Swaying;
 use crate::afloat::symbols as s;
 use crate::component::found::{Finding, found};

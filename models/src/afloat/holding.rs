@@ -1,12 +1,12 @@
 //! What holds slewing and luffing at rest on a hull that lies aslant.
 
 use crate::afloat::crane::{CraneWeights, slewed};
-use crate::afloat::luffed::Luffed;
 use crate::afloat::posture::Posture;
 use crate::afloat::symbols as s;
 use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
+use crate::luffing::luffed::{Luffed, LuffedRates};
 
 /// Moments of what slews with the load (N·m), the water's slope in the boom's plane, how luffing changes moments (N·m/rad), and what holds both at rest (N·m).
 #[derive(Clone, Copy, Debug)]
@@ -33,17 +33,17 @@ impl<C: Calc> HeldAtRest<C> {
         psi: &One<C>,
         load: &One<C>,
         luffed: &Luffed<C>,
+        rates: &LuffedRates<C>,
         crane: &CraneWeights<C>,
         posture: &Posture<C>,
     ) -> HeldAtRest<C> {
-        let [reach, _, travel, rise, _, _, _, along, up] = luffed.sums;
         let ([_, trim, heel], (sin, cos)) = (posture.lie(), psi.sin_cos());
         let (_, level) = posture.inclination().sin_cos();
-        let [x, y] = slewed(crane.forward + load.1 * reach, crane.aside, (sin, cos));
+        let [x, y] = slewed(crane.forward + load.1 * luffed.reach, crane.aside, (sin, cos));
         let own = [x.def(&s::M_XS), y.def(&s::M_YS)];
         let changes = [
-            (along + load.1 * travel).def(&s::DM_R),
-            (up + load.1 * rise).def(&s::DM_H),
+            (rates.forward + load.1 * rates.reach).def(&s::DM_R),
+            (rates.up + load.1 * rates.height).def(&s::DM_H),
         ];
         let slope = (cos * trim + sin * heel).def(&s::T_XI);
         let slewing = level * (own[1] * trim - own[0] * heel);

@@ -71,7 +71,7 @@ const SMALL: f64 = 1e-5;
 
 impl Finding<4> for Lost {
     type From<C: Calc> = At<C>;
-    const NAMES: [&'static Symbol; 4] = *listed!(s: PHI_0, A_I, A_II, PHI_2);
+    const NAMES: [&'static Symbol; 4] = *listed!(s: PHI_Q0, A_I, A_II, PHI_2);
 
     fn map<C: Calc, D: Calc>(from: &At<C>, f: &mut dyn FnMut(C) -> D) -> At<D> {
         over(from, f)
@@ -145,7 +145,7 @@ pub struct LoadLost<C> {
     found: [C; 4],
     left: C,
 }
-results! { LoadLost as l => { PHI_0: l.found[0]; A_I: l.found[1]; A_II: l.found[2]; PHI_2: l.found[3]; D_A: l.left; } }
+results! { LoadLost as l => { PHI_Q0: l.found[0]; A_I: l.found[1]; A_II: l.found[2]; PHI_2: l.found[3]; D_A: l.left; } }
 
 impl<C: Scalar> LoadLost<C> {
     /// The hull without its load rolls from the heel under it to where the areas are alike; ΔA = A_II − k_A A_I − c_A.

@@ -23,7 +23,7 @@
 //! | `afloat.loss` | [`loss::residual`], [`loss::LoadLost::new`] | 46 CFR 173, 173.020 and 173.025 |
 //! | `afloat.gust` | [`gust::Gust::new`] | Ports001, 7.3: dynamic lever |
 //! | `afloat.riding` | [`riding::RidingHull::new`], [`riding::WaterForces::new`] | geometry; virtual work |
-//! | `afloat.crane` | [`luffed::Luffed::new`], [`crane::CraneWeights::new`], [`holding::HeldAtRest::new`] | equilibrium; virtual work |
+//! | `afloat.crane` | [`Luffed::at`](crate::luffing::luffed::Luffed::at), [`crane::CraneWeights::new`], [`holding::HeldAtRest::new`] | equilibrium; virtual work |
 //! | `afloat.carrying` | [`carrying::CraneAfloat::moved`], [`yielding::yielding`], [`driving::DriveMoments::new`] | Lagrange; virtual work |
 //! | `afloat.swaying` | [`head::HeadPlace::new`], [`swaying::Swaying::new`] | Lagrange, first kind |
 
@@ -38,7 +38,6 @@ pub mod hull;
 pub mod levers;
 pub mod loaded;
 pub mod loss;
-pub mod luffed;
 mod outline;
 pub mod posture;
 pub mod rest;

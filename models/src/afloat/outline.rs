@@ -13,13 +13,16 @@ pub const LEVERS: &[SectionOutline] = &[("afloat_levers", &[Stage("levers")])];
 pub const OUTLINE: Outline = Outline {
     inputs: chapters!(
         afloat_hull "", afloat_sections "sections", afloat_masses "masses", afloat_tanks "tanks", load "Q", load "R",
-        afloat_crane "pedestal", afloat_turning "turning", afloat_luffing "luffing", afloat_luffing_weights "luffing.weights",
-        afloat_luffing_balance "luffing.balance", afloat_luffing_inertias "luffing.dynamics", afloat_luffing_range "luffing.motion", afloat_wind "wind", afloat_areas "wind.areas", afloat_loss "loss", afloat_gust "gust",
+        afloat_crane "pedestal", afloat_turning "turning", carried_luffing "luffing", carried_weights "luffing.weights",
+        carried_balance "luffing.balance", carried_inertias "luffing.dynamics", carried_range "luffing.motion", afloat_wind "wind", afloat_areas "wind.areas", afloat_loss "loss", afloat_gust "gust",
         afloat_dynamics "dynamics", afloat_start, motion, limits
     ),
     constants: &[("afloat_weights", &[Stage("dead")])],
     sections: &[
-        ("afloat_luffed", &[Stage("luffed"), Stage("hung")]),
+        (
+            "carried_luffing",
+            &[Stage("luffed"), Stage("luffed_rates"), Stage("hung")],
+        ),
         ("afloat_turning", &[Stage("crane")]),
         ("afloat_load", &[Stage("loaded")]),
         ("afloat_upright", &[Stage("upright")]),
@@ -72,8 +75,8 @@ pub const OUTLINE: Outline = Outline {
         ("afloat_told", listed!(s: PHI_H)),
         ("hook", &[&s::L_R]),
         ("start", listed!(s: PSI_SL, THETA_1)),
-        ("afloat_luffs", &[&THETA_A, &THETA_E]),
-        ("afloat_bars", GIVEN),
+        ("carried_range", &[&THETA_A, &THETA_E]),
+        ("carried_bars", GIVEN),
         ("afloat_inertia", listed!(s: X_U, Y_U, Z_U, J_X, J_Y)),
     ],
     forces: listed!(s: M_L, M_T, M_SL0, M_10),

@@ -188,8 +188,8 @@ impl Described for AfloatScene {
     const FOLLOWED: &'static [&'static Symbol] = listed!(s: M_SL, M_1);
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "afloat_symbol",
-        own: &[s::ALL, aboard::ALL],
-        shared: &[gravity::ALL, hanging::ALL],
+        own: &[s::ALL],
+        shared: &[aboard::ALL, gravity::ALL, hanging::ALL],
     };
 
     fn read(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<(AfloatScene, Motion)> {
@@ -213,7 +213,7 @@ impl Described for AfloatScene {
         let mut given = Given {
             psi: One(&s::PSI_SL, range.from),
             omega: One(&s::OMEGA_SL, range.speed),
-            reach: rig.reach,
+            reach: rig.rig.reach,
             load: one(&s::Q)?,
             place: rig.place,
             height: rig.height,
@@ -238,12 +238,12 @@ impl Described for AfloatScene {
             luffing_servo: None,
             command: None,
             luffing_command: None,
-            held: rig.held,
+            held: rig.rig.held,
             moved: None,
             roped: None,
             luffing: None,
             offsets,
-            luffer: rig.luffer,
+            luffer: rig.rig.luffer,
             inputs: MadeInputs(inputs.into_iter().flatten().collect()),
         };
         let ratio = v.table("loss").is_some_and(|loss| loss.text("kind") == Some("ratio"));

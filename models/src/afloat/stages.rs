@@ -1,7 +1,7 @@
 //! A floating crane as a component: what it is given, and in which stages its equations follow from each other.
 
 use crate::afloat::carrying::CraneAfloat;
-use crate::afloat::crane::{CraneWeights, HungPoint, TurningMass};
+use crate::afloat::crane::{CraneWeights, HungPoint, LuffingMotion, TurningMass, luffed};
 use crate::afloat::driving::{DriveMoments, LuffingCommand, LuffingServo, luffing};
 use crate::afloat::gust::{Gust, GustGiven};
 use crate::afloat::head::HeadPlace;
@@ -10,7 +10,6 @@ use crate::afloat::hull::{BoxHull, Floating, Offsets};
 use crate::afloat::levers::{RightingLever, ToldHeel, levers};
 use crate::afloat::loaded::Loaded;
 use crate::afloat::loss::{LoadLost, LossRule, residual};
-use crate::afloat::luffed::{Luffed, Luffer, LuffingMotion};
 use crate::afloat::posture::Posture;
 use crate::afloat::riding::{BuoyedMass, HullMotion, RidingHull, WaterForces, WettedHull, clearing};
 use crate::afloat::swaying::{RopedLoad, SlewingCommand, SlewingServo, Swaying, SwayingRates};
@@ -21,6 +20,7 @@ use crate::component::part::{Component, Port, ports};
 use crate::component::stages::{Found, stages};
 use crate::kernel::group::{One, group};
 use crate::kernel::symbol::{Symbol, listed};
+use crate::luffing::luffed::{Luffed, LuffedRates, Luffer};
 
 /// Given quantities that the scene makes inputs of.
 #[derive(Clone, Debug)]
@@ -63,14 +63,15 @@ stages! {
     } find {
         floating: Floating<C> = Floating::new(built, offsets, tanks, density, gravity) => _;
         dead: DeadLoad<C> = DeadLoad::new(masses, tanks, gravity, wind, areas);
-        luffed: Luffed<C> = Luffed::new(luffer[!], held, luffing);
+        luffed: Luffed<C> = luffed(luffer[!], held, luffing);
+        luffed_rates: LuffedRates<C> = LuffedRates::new(luffed);
         hung: HungPoint<C> = HungPoint::new(reach, height, luffed[?]);
         crane: CraneWeights<C> = CraneWeights::new(psi, place, height, luffed, turning);
         loaded: Loaded<C> = Loaded::new(psi, dead, place, hung, load, crane[?]);
         upright: Upright<C> = Upright::new(floating, density, gravity, tanks, loaded);
         small: SmallAngles<C> = SmallAngles::new(loaded, upright);
         posture: Posture<C> = Posture::new(built, floating, psi, load, loaded, upright);
-        holding: HeldAtRest<C> = HeldAtRest::new(psi, load, luffed, crane, posture);
+        holding: HeldAtRest<C> = HeldAtRest::new(psi, load, luffed, luffed_rates, crane, posture);
         levers[heels]: Vec<RightingLever<C>> = levers(floating, loaded, upright, heels);
         residual: C = residual(floating, loaded, posture, limit[!]) => A_RES;
         lost: LoadLost<C> = LoadLost::new(floating, loaded, posture, limit[!], rule[!]);

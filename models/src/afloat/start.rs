@@ -1,7 +1,7 @@
 //! A floating crane that moves, as scenes describe it: it begins at rest under its load.
 
+use crate::afloat::crane::LuffingMotion;
 use crate::afloat::driving::{LuffingCommand, LuffingServo};
-use crate::afloat::luffed::LuffingMotion;
 use crate::afloat::riding::{BuoyedMass, HullMotion};
 use crate::afloat::stages::{FloatingCrane, Given, Known};
 use crate::afloat::swaying::{RopedLoad, SlewingCommand, SlewingServo};

@@ -7,8 +7,8 @@
 use nalgebra::Vector3;
 
 use crate::afloat::carrying::CraneAfloat;
+use crate::afloat::crane::LuffingMotion;
 use crate::afloat::head::HeadPlace;
-use crate::afloat::luffed::LuffingMotion;
 use crate::afloat::riding::{BuoyedMass, HullMotion, RidingHull, WaterForces};
 use crate::afloat::symbols as s;
 use crate::afloat::weights::DeadLoad;

@@ -2,7 +2,7 @@
 
 pub use crate::kernel::gravity::G;
 use crate::kernel::symbol::symbols;
-pub use crate::luffing::aboard::{OMEGA_1, THETA_1};
+pub use crate::luffing::aboard::{OMEGA_1, R, THETA_1};
 pub use crate::parts::hanging::{KAPPA_R, L_R, S_R};
 
 symbols! {
@@ -38,7 +38,6 @@ symbols! {
     X_U: "x_u" "x_(u i)" M / M, "Centre of gravity of a mass that slews, from the slewing axis toward the load.", "input";
     Y_U: "y_u" "y_(u i)" M / M, "Centre of gravity of a mass that slews, to the left of the boom's plane.", "input";
     Z_U: "z_u" "z_(u i)" M / M, "Centre of gravity of a mass that slews, above the keel.", "input";
-    R: "R" "R" M / M, "Reach: distance of the load from the slewing axis.", "input";
     Q: "Q" "Q" N / KN [not_negative], "Weight of the load with hook block or grab.", "input";
     P_W: "p_w" "p_\"w\"" PA / PA [not_negative], "Pressure of the wind.", "input";
     CHI_W: "chi_w" "chi_\"w\"" RAD / DEG, "Direction to which the wind blows, from the bow; positive counter-clockwise, seen from above.", "input";
@@ -66,14 +65,6 @@ symbols! {
     Z_G: "z_G" "z_G" M / M, "Centre of gravity above the keel (KG), the load at its point of suspension.", "[IS Code 2008, B 2.9]";
 
     // What slews, with its luffing mechanism.
-    H_A: "h_A" "h_A" M / M, "Height of the head above the luffing mechanism's foot.", "derived";
-    DR: "dR" "R'" M / M, "Travel of the head away from the slewing axis for one radian of luffing.", "dual numbers";
-    DH_A: "dh_A" "h'_A" M / M, "Rise of the head for one radian of luffing.", "dual numbers";
-    W_1: "W_1" "W_1" N / KN, "Weight of the luffing mechanism, with its counterweight.", "derived";
-    M_R1: "M_r1" "M_(r 1)" N_M / KN_M, "Moment of the luffing mechanism's weights about the slewing axis, toward the load.", "equilibrium";
-    M_H1: "M_h1" "M_(h 1)" N_M / KN_M, "Moment of the luffing mechanism's weights by their heights above its foot.", "equilibrium";
-    DM_R1: "dM_r1" "M'_(r 1)" N_M / KN_M, "Change of the moment about the slewing axis for one radian of luffing.", "dual numbers";
-    DM_H1: "dM_h1" "M'_(h 1)" N_M / KN_M, "Change of the moment by heights for one radian of luffing.", "dual numbers";
     W_C: "W_c" "W_c" N / KN, "Weight of all that slews, without load.", "derived";
     M_XI: "M_xi" "M_xi" N_M / KN_M, "Moment of what slews, without load, about the slewing axis, toward the load.", "equilibrium";
     M_ETA: "M_eta" "M_eta" N_M / KN_M, "Moment of what slews about the slewing axis, to the left of the boom's plane.", "equilibrium";
@@ -140,7 +131,7 @@ symbols! {
     A_RES: "A_res" "A_\"res\"" M_RAD / M_DEG, "Area between righting and heeling levers from the heel under load up to the one that counts.", "[46 CFR 173, 173.020]";
 
     // Loss of load.
-    PHI_0: "phi_0" "phi_0" RAD / DEG, "Heel after the load is lost.", "equilibrium";
+    PHI_Q0: "phi_Q0" "phi_(Q 0)" RAD / DEG, "Heel after the load is lost.", "equilibrium";
     A_I: "A_I" "A_\"I\"" M_RAD / M_DEG, "Area that drives the roll when the load is lost.", "[46 CFR 173, 173.025]";
     A_II: "A_II" "A_\"II\"" M_RAD / M_DEG, "Area that stops that roll, up to the heel that counts.", "[46 CFR 173, 173.025]";
     PHI_2: "phi_2" "phi_2" RAD / DEG, "Heel to which the hull rolls when the load is lost.", "virtual work";

@@ -160,8 +160,9 @@ impl Standing {
         }
         let inputs = sources.iter().filter(|(_, (symbol, _))| part.is_input(symbol));
         let inputs = inputs.fold(0, |mask, (source, _)| mask | 1_u64 << source.group);
+        let there = sources.iter().fold(0, |mask, (source, _)| mask | 1_u64 << source.group);
         let role = |sources: u64| {
-            let varies = |(group, (_, of)): (u64, &(_, Use))| sources >> group & 1 == 1 && of.varies();
+            let varies = |(group, (_, of)): (u64, &(_, Use))| (sources & there) >> group & 1 == 1 && of.varies();
             match sources & inputs != 0 || (0..).zip(groups).any(varies) {
                 true => Role::Output,
                 false => Role::Calculated,

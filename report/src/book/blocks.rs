@@ -28,6 +28,20 @@ impl From<&'static Symbol> for Quantity {
     }
 }
 
+impl Quantity {
+    /// That of a formula, which finds what other scenes give.
+    pub(super) fn found(symbol: &'static Symbol) -> Quantity {
+        let quantity = Quantity::from(symbol);
+        match symbol.source {
+            "input" => Quantity {
+                source: "derived",
+                ..quantity
+            },
+            _ => quantity,
+        }
+    }
+}
+
 #[derive(Serialize)]
 pub(super) struct Figure {
     pub id: &'static str,

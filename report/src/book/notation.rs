@@ -23,6 +23,8 @@ pub(super) struct Notation {
     /// Typeset forms of the symbols that some place of the book defines, and
     /// that others can link to.
     pub defined: BTreeSet<&'static str>,
+    /// Those of formulas.
+    found: BTreeSet<&'static str>,
     /// Those whose place has come.
     placed: BTreeSet<&'static str>,
 }
@@ -30,13 +32,15 @@ pub(super) struct Notation {
 impl Notation {
     pub(super) fn new(sheet: &Sheet, chapters: &[&str]) -> Notation {
         let steps = sections(sheet, chapters).flat_map(|section| &section.trace.steps);
-        let mut defined: BTreeSet<&'static str> = steps.map(|step| step.symbol.print).collect();
+        let found: BTreeSet<&'static str> = steps.map(|step| step.symbol.print).collect();
+        let mut defined = found.clone();
         if chapters.contains(&"inputs") {
             defined.extend(sheet.inputs.iter().map(|input| input.symbol.print));
         }
         Notation {
             met: Vec::new(),
             defined,
+            found,
             placed: BTreeSet::new(),
         }
     }
@@ -101,7 +105,10 @@ impl Notation {
         let mut met = self.met.clone();
         met.sort_by_cached_key(|symbol| (order(symbol.print), symbol.id));
         let entry = |symbol: &&'static Symbol| Entry {
-            quantity: (*symbol).into(),
+            quantity: match self.found.contains(symbol.print) {
+                true => Quantity::found(symbol),
+                false => (*symbol).into(),
+            },
             defined: self.defined.contains(symbol.print),
         };
         met.iter().map(entry).collect()

@@ -127,7 +127,7 @@ fn steps(
             size,
         } = formula::step(numbers, &notation.defined, trace, step, in_full, checks.len());
         Step {
-            quantity: step.symbol.into(),
+            quantity: Quantity::found(step.symbol),
             first: notation.place(step.symbol),
             formula,
             numbers,

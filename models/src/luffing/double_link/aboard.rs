@@ -140,6 +140,10 @@ impl Aboard for LinkAboard {
         self.parameters.lengths.x_8
     }
 
+    fn gravity(&self) -> f64 {
+        self.linkage.bodies.gravity
+    }
+
     fn posed(&self, theta: Dual64) -> Option<Posed<Dual64>> {
         let (positions, of) = (&self.linkage.thrice, Dual64::constant);
         let (g, theta) = (&positions.geometry, Dual2::new(theta, of(1.0), of(0.0)));

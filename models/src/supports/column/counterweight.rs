@@ -21,8 +21,8 @@ results! { Evened as e => { G_D: e.weight; M_D: e.moment; } }
 
 impl<C: Calc> Evened<C> {
     /// M_u − G_d r_d + Q R = −(M_u − G_d r_d): G_d = (M_u + Q R/2)/r_d, and Q R/2 remains. [Ports001, 3.2.1]
-    pub fn new(balancing: &EvenedAt<C>, upper: &UpperWorks<C>, load: &One<C>, reach: &One<C>) -> Evened<C> {
-        let moment = (**load * **reach / C::constant(2.0)).def(&s::M_D);
+    pub fn new(balancing: &EvenedAt<C>, upper: &UpperWorks<C>, load: &One<C>, reach: &C) -> Evened<C> {
+        let moment = (**load * *reach / C::constant(2.0)).def(&s::M_D);
         Evened {
             weight: ((upper.moment + moment) / balancing.r_d).def(&s::G_D),
             moment,

@@ -3,6 +3,8 @@
 use crate::component::outline::Explained::Stage;
 use crate::component::outline::{Greatest, Limit, Line, Most, Outline, SectionOutline, chapters, joined};
 use crate::kernel::symbol::listed;
+use crate::luffing::aboard::{THETA_A, THETA_E};
+use crate::luffing::kinds::GIVEN;
 use crate::supports::column::symbols as s;
 use crate::supports::drive::outline as drive;
 use crate::supports::drive::symbols as d;
@@ -10,7 +12,9 @@ use crate::supports::upper::symbols as u;
 
 pub const OUTLINE: Outline = Outline {
     inputs: chapters!(
-        column "", load "Q", load "R", upper_bodies "upper", upper_slope "slope", upper_areas "areas",
+        column "", load "Q", load "R", upper_bodies "upper",
+        carried_luffing "luffing", carried_weights "luffing.weights", carried_balance "luffing.balance", carried_inertias "luffing.dynamics", carried_range "luffing.motion",
+        upper_slope "slope", upper_areas "areas",
         upper_cases "load_cases", column_bearings "bearings", column_friction "friction",
         column_counterweight "counterweight", turning_drive "slewing_drive", turning_brake "slewing_drive.brake", turning_coupling "slewing_drive.coupling", turning_pinion "slewing_drive.pinion",
         motion, limits
@@ -24,7 +28,9 @@ pub const OUTLINE: Outline = Outline {
     sensitivity: listed!(s: H_U_TOP, H_F_TOP, M_FB_MAX),
     limits: &LIMITS,
     uses: &[
-        ("upper_heights", listed!(u: H_U)),
+        ("upper_heights", listed!(u: H_U, H_1)),
+        ("carried_range", &[&THETA_A, &THETA_E]),
+        ("carried_bars", GIVEN),
         ("upper_cases", listed!(u: K_Q, P_W, CHI_W)),
         ("upper_cases", listed!(d: N_S, ALPHA_Q, K_B)),
     ],
@@ -32,9 +38,10 @@ pub const OUTLINE: Outline = Outline {
     worst: &[("greatest_bearing_force", &s::H_U_TOP)],
 };
 
-const CONSTANTS: [SectionOutline; 5] = joined(OWN_CONSTANTS, drive::CONSTANTS);
+const CONSTANTS: [SectionOutline; 6] = joined(OWN_CONSTANTS, drive::CONSTANTS);
 
-const OWN_CONSTANTS: [SectionOutline; 3] = [
+const OWN_CONSTANTS: [SectionOutline; 4] = [
+    ("carried_luffing", &[Stage("luffed"), Stage("spun")]),
     ("upper_weights", &[Stage("upper")]),
     ("column_counterweight", &[Stage("evened")]),
     ("column_pivot", &[Stage("pivot")]),

@@ -4,13 +4,15 @@ use crate::component::description::{Described, Description, Vocabulary};
 use crate::component::draw::{Draw, along, polar};
 use crate::component::mechanism::Entry;
 use crate::component::outline::{Limit, Outline};
-use crate::component::sheet::{Check, Drawing};
+use crate::component::sheet::{Check, Curve, Drawing, Sheet};
+use crate::component::stages::Stages;
 use crate::component::standing::Standing;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::group::One;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Values};
 use crate::kernel::symbol::Symbol;
+use crate::luffing::kinds::CARRIED;
 use crate::parts::motion::Motion;
 use crate::parts::plane::Point;
 use crate::supports::column::checks::about_the_foot;
@@ -25,15 +27,15 @@ use crate::supports::drive::checks::{StandingThere, about_the_axis};
 use crate::supports::drive::scene::{DRIVE, TurningScene};
 use crate::supports::plan::{LeftOpen, each};
 use crate::supports::upper;
-use crate::supports::upper::keys::{AREAS, LOAD_CASES, MOTION, SLOPE, UPPER};
+use crate::supports::upper::keys::{self, AREAS, LOAD_CASES, MOTION, SLOPE, UPPER};
 use crate::supports::upper::load::SupportCase;
 use crate::supports::upper::weights::{UpperArea, UpperSlope, UpperWeight};
 
 /// Keys of `[supports]`.
 pub const KEYS: &[Key] = keys! { s:
-    H_UF > 0, R [or_input], Q >= 0 [or_mass, or_input];
+    H_UF > 0, R [or_input, optional], Q >= 0 [or_mass, or_input], THETA_1 [optional], H_1 [optional];
     Key::kind(&["column"], "A crane that slews on a column in an upper bearing, a foot bearing and a pivot."),
-    UPPER, LOAD_CASES, AREAS, SLOPE,
+    UPPER, LOAD_CASES, AREAS, SLOPE, CARRIED,
     Key::part("bearings", BEARINGS, "Sizes of the three bearings, for their pressures and friction."),
     Key::part("friction", FRICTION, "Friction of the three bearings."),
     Key::part("counterweight", COUNTERWEIGHT, "Where a counterweight would make the moment without load minus that with it."),
@@ -82,9 +84,21 @@ fn turned(this: &ColumnScene, model: &mut Standing) -> Option<Check> {
         areas: &given.areas,
         slope: given.slope,
         cases: &given.cases,
-        hung: [*given.reach, *given.load],
+        load: *given.load,
+        reach: given.reach.map(|reach| *reach),
     };
     about_the_axis(model, &this.turning, &there)
+}
+
+/// The greatest of all over the reach, at a slewing angle (rad).
+fn over_reach(given: &Given<f64>, at: f64) -> Option<Curve> {
+    let mut known = SlewingColumn::new(given.clone());
+    known.psi().1 = at;
+    let of = |theta: f64| {
+        known.held().as_mut()?.1 = theta;
+        Some([known.luffed().ok()?.reach, known.worst().ok()?.moment])
+    };
+    Some(given.luffer.as_ref()?.over_reach("upper_reach", &s::M_ALL, of))
 }
 
 impl Described for ColumnScene {
@@ -103,16 +117,21 @@ impl Described for ColumnScene {
         suits(v, found);
         let range = Motion::read(v.table("motion")?, found)?;
         let turning = TurningScene::read(v, &["friction"], gravity, found)?;
+        let rig = keys::rig(v, gravity, found)?;
         let given = Given {
             psi: One(&s::PSI, range.from),
             omega: One(&s::OMEGA, range.speed),
-            reach: one(&s::R)?,
+            reach: rig.reach,
             load: one(&s::Q)?,
             height: one(&s::H_UF)?,
             bodies: each(v, "upper", UpperWeight::read)?,
             areas: each(v, "areas", UpperArea::read)?,
             slope: v.part("slope", UpperSlope::read)?,
+            hook: keys::hook(v),
             cases: each(v, "load_cases", SupportCase::read)?,
+            foot: one(&s::H_1),
+            held: rig.held,
+            luffer: rig.luffer,
             bearings: v.part("bearings", Bearings::read)?,
             friction: v.part("friction", ColumnFriction::read)?,
             balancing: v.part("counterweight", EvenedAt::read)?,
@@ -147,7 +166,7 @@ impl Described for ColumnScene {
 
     fn assumptions(this: &Description<ColumnScene>) -> Vec<&'static str> {
         let pivot = this.given.friction.map(|_| "column_even");
-        let rest = ["upper_level_static", "column_rigid"];
+        let rest = [keys::level(&this.given.luffer), "column_rigid"];
         let own = rest.into_iter().chain(pivot);
         own.chain(this.turning.assumptions()).collect()
     }
@@ -158,6 +177,13 @@ impl Described for ColumnScene {
             .chain(["upper_inertia", "column_strength", "dynamic_coefficients"])
             .chain(this.turning.uncovered())
             .collect()
+    }
+
+    fn more(this: &Description<ColumnScene>, _: &mut Standing, sheet: &mut Sheet) {
+        let governing = sheet.positions.first().map(|position| position.value);
+        sheet
+            .curves
+            .extend(governing.and_then(|at| over_reach(&this.given, at)));
     }
 
     /// The boom lies across no dimension.

@@ -14,9 +14,8 @@ use crate::supports::column::symbols as s;
 use crate::supports::drive;
 use crate::supports::drive::fragments::{swung, turned, turned_by};
 use crate::supports::upper;
-use crate::supports::upper::fragments::{carried, slews};
+use crate::supports::upper::fragments::{carried, luffs, reached, slews};
 use crate::supports::upper::load::{SupportLoad, WorstLoad};
-use crate::supports::upper::weights::UpperWorks;
 
 composed! {
     /// A column under a crane.
@@ -24,13 +23,14 @@ composed! {
         ..slews(),
         Parameter height: One<C>,
         ..carried(),
+        ..luffs(),
         Parameter bearings: Option<Bearings<C>>,
         Parameter friction: Option<ColumnFriction<C>>,
         Parameter balancing: Option<EvenedAt<C>>,
         ..turned_by(),
     } find {
-        upper: UpperWorks<C> = UpperWorks::new(bodies, slope, areas);
-        loads[each cases]: Vec<SupportLoad<C>> = SupportLoad::new(psi, reach, load, slope, upper, cases[each]);
+        ..reached();
+        loads[each cases]: Vec<SupportLoad<C>> = SupportLoad::new(psi, out, load, slope, upper, cases[each]);
         worst: WorstLoad<C> = WorstLoad::new(loads);
         forces[each cases]: Vec<ColumnForces<C>> = ColumnForces::new(height, loads[each]);
         most: WorstBearings<C> = WorstBearings::new(forces);
@@ -39,7 +39,7 @@ composed! {
             ColumnTurning::new(bearings[!], friction[!], pivot, loads[each], forces[each]);
         pressures[each cases]: Vec<BearingPressure<C>> =
             BearingPressure::new(bearings[!], loads[each], forces[each]);
-        evened: Evened<C> = Evened::new(balancing[!], upper, load, reach);
+        evened: Evened<C> = Evened::new(balancing[!], upper, load, out);
         ..swung();
         rubbing[each works]: Vec<C> = rubbing(drive[!], turning[each]) => M_FS;
         ..turned();
@@ -57,7 +57,7 @@ impl Component for SlewingColumn {
     };
 
     fn has(given: &Given<f64>, symbol: &'static Symbol) -> bool {
-        let standing = [given.slope.is_some(), !given.areas.is_empty()];
+        let standing = [given.slope.is_some(), !given.areas.is_empty(), given.luffer.is_some()];
         let turning = [given.drive.is_some(), given.rope.is_some()];
         upper::keys::has(symbol, standing) && drive::has(symbol, standing, turning)
     }

@@ -3,7 +3,7 @@
 use crate::kernel::symbol::symbols;
 pub use crate::supports::drive::symbols::{M_FS, RHO_C};
 pub use crate::supports::upper::symbols::{
-    AGREEMENT, H, H_L, H_T, H_TOP, M, M_ALL, M_L, M_T, M_TOP, OMEGA, PSI, Q, R, V, V_TOP,
+    AGREEMENT, H, H_1, H_L, H_T, H_TOP, M, M_ALL, M_L, M_T, M_TOP, OMEGA, PSI, Q, R, THETA_1, V, V_TOP,
 };
 
 symbols! {

@@ -2,8 +2,9 @@
 
 use crate::component::sheet::Check;
 use crate::component::standing::Standing;
-use crate::component::telling::{fine, numbered};
+use crate::component::telling::{fine, numbered, sample};
 use crate::kernel::calc::Calc;
+use crate::luffing::aboard as l;
 use crate::supports::drive::scene::TurningScene;
 use crate::supports::drive::symbols as s;
 use crate::supports::upper::load::SupportCase;
@@ -16,8 +17,9 @@ pub struct StandingThere<'a> {
     pub areas: &'a [UpperArea<f64>],
     pub slope: Option<UpperSlope<f64>>,
     pub cases: &'a [SupportCase<f64>],
-    /// Reach (m) and load (N).
-    pub hung: [f64; 2],
+    /// The load (N), and the reach (m) where no luffing mechanism gives it.
+    pub load: f64,
+    pub reach: Option<f64>,
 }
 
 /// The moment of slope and wind against forces at their places in directions that do not slew: their difference over the sum
@@ -26,12 +28,22 @@ pub fn about_the_axis(model: &mut Standing, turning: &TurningScene, there: &Stan
     turning.drive?;
     let down = there.slope.map_or(0.0, |slope| Calc::sin(slope.gamma));
     let mut apart = 0.0_f64;
+    // A luffing mechanism is one more body.
+    let (reach, luffed) = match there.reach {
+        Some(reach) => (reach, None),
+        None => {
+            let columns = [&u::R, &l::W_1, &l::M_R1];
+            let row = sample(model, &columns, std::iter::once(model.motion().from)).remove(0);
+            (row[0], (row[1] > 0.0).then(|| (row[1], row[2] / row[1])))
+        }
+    };
     for at in fine(model.motion()).collect::<Vec<_>>() {
         let found = numbered(model, &s::M_Z, at);
         let (across, ahead) = Calc::sin_cos(at);
         for (case, found) in there.cases.iter().zip(found) {
-            let load = (case.k_q * there.hung[1], there.hung[0]);
-            let weights = there.bodies.iter().map(|body| (body.g_u, body.r_u)).chain([load]);
+            let load = (case.k_q * there.load, reach);
+            let bodies = there.bodies.iter().map(|body| (body.g_u, body.r_u));
+            let weights = bodies.chain(luffed).chain([load]);
             let weighed = weights.map(|(weight, r)| [-weight * down * (r * across), 0.0]);
             let (aside, along) = Calc::sin_cos(case.chi_w);
             let areas = there.areas.iter().zip(&turning.places);

@@ -25,9 +25,9 @@ macro_rules! swung {
     (() $($to:tt)*) => {
         $crate::component::fragments::composed! { @with {
             works_turned: $crate::supports::drive::inertia::TurnedWorks<C> =
-                $crate::supports::drive::inertia::TurnedWorks::new(drive[!], gravity[!], bodies, areas, places);
+                $crate::supports::drive::inertia::TurnedWorks::new(drive[!], gravity[!], bodies, areas, places, spun[?]);
             swung[each works]: Vec<$crate::supports::drive::inertia::Outswing<C>> =
-                $crate::supports::drive::inertia::Outswing::new(reach, gravity[!], rope, works[each]);
+                $crate::supports::drive::inertia::Outswing::new(out, gravity[!], rope, works[each]);
         } $($to)* }
     };
 }
@@ -39,7 +39,7 @@ macro_rules! turned {
         $crate::component::fragments::composed! { @with {
             turned[each works]: Vec<$crate::supports::drive::resistance::TurningMoments<C>> =
                 $crate::supports::drive::resistance::TurningMoments::new(
-                    psi, reach, gravity[!], slope, upper, works_turned, cases[each], loads[each], works[each], swung[each],
+                    psi, out, gravity[!], slope, upper, works_turned, cases[each], loads[each], works[each], swung[each],
                     rubbing[each]
                 );
             motors[each works]: Vec<$crate::supports::drive::motor::TurningMotor<C>> =

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use crate::component::stages::{absent, results};
 use crate::kernel::calc::{Calc, sum};
 use crate::kernel::group::One;
+use crate::luffing::luffed::LuffedInertia;
 use crate::supports::drive::given::{TurnedArea, TurningCase, TurningDrive};
 use crate::supports::drive::symbols as s;
 use crate::supports::upper::weights::{UpperArea, UpperWeight};
@@ -18,18 +19,20 @@ pub struct TurnedWorks<C> {
 results! { TurnedWorks as t => { J_0: t.inertia; S_R: t.areas.ok_or_else(absent)?; } }
 
 impl<C: Calc> TurnedWorks<C> {
-    /// J_0 = J_e + Σ G_u r_u²/g, S_r = Σ A_wi r_wi. [Ports001, 6.5.1]
+    /// J_0 = J_e + Σ G_u r_u²/g, with a luffing mechanism its J_lm besides; S_r = Σ A_wi r_wi. [Ports001, 6.5.1]
     pub fn new(
         drive: &TurningDrive<C>,
         gravity: &One<C>,
         bodies: &[UpperWeight<C>],
         areas: &[UpperArea<C>],
         places: &[TurnedArea<C>],
+        luffed: Option<&LuffedInertia<C>>,
     ) -> TurnedWorks<C> {
         let points = sum(bodies.iter().map(|body| body.g_u / **gravity * body.r_u.square()));
         let wide = || sum(areas.iter().zip(places).map(|(area, at)| area.a_w * at.r_w)).def(&s::S_R);
+        let own = drive.j_e + points;
         TurnedWorks {
-            inertia: (drive.j_e + points).def(&s::J_0),
+            inertia: luffed.map_or(own, |luffed| own + luffed.0).def(&s::J_0),
             areas: (!areas.is_empty()).then(wide),
         }
     }
@@ -50,13 +53,12 @@ results! { each Outswing as o => {
 
 impl<C: Calc> Outswing<C> {
     /// g tan θ = Ω² (R + l sin θ): found for plain numbers, and one step of Newton's for all else. [Ports001, 6.5.1]
-    pub fn new(reach: &One<C>, gravity: &One<C>, rope: &Option<One<C>>, case: &TurningCase<C>) -> Outswing<C> {
+    pub fn new(reach: &C, gravity: &One<C>, rope: &Option<One<C>>, case: &TurningCase<C>) -> Outswing<C> {
         let omega = (C::constant(TAU) * case.n_s).def(&s::OMEGA_C);
         let Some(rope) = rope else {
-            let reach = **reach;
             return Outswing {
                 omega,
-                reach,
+                reach: *reach,
                 angle: None,
             };
         };

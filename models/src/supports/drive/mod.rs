@@ -32,11 +32,13 @@ pub mod symbols;
 
 use crate::kernel::gravity;
 use crate::kernel::symbol::{Symbol, listed};
+use crate::luffing::aboard;
 use crate::parts::{self, hanging, teeth};
 use crate::supports::drive::symbols as s;
 
 /// Symbols that it shares with other drives.
-pub const SHARED: [&[&Symbol]; 5] = [
+pub const SHARED: [&[&Symbol]; 6] = [
+    aboard::ALL,
     parts::motor::ALL,
     teeth::ALL,
     crate::drive::symbols::ALL,
@@ -46,7 +48,7 @@ pub const SHARED: [&[&Symbol]; 5] = [
 
 /// Whether there is a result of the drive: without a slope (0) and wind areas (1) there is nothing of them, without a drive
 /// (0) and a rope (1) nothing of these.
-pub fn has(symbol: &Symbol, [inclined, blown]: [bool; 2], [drives, hangs]: [bool; 2]) -> bool {
+pub fn has(symbol: &Symbol, [inclined, blown, _]: [bool; 3], [drives, hangs]: [bool; 2]) -> bool {
     let of = |there: &[&Symbol]| there.contains(&symbol);
     (drives || !of(listed!(s: P_SL_RMS, U_SL_RMS)))
         && (inclined || symbol != &s::M_GZ)

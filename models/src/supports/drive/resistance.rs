@@ -37,7 +37,7 @@ impl<C: Calc> TurningMoments<C> {
     #[expect(clippy::too_many_arguments, reason = "all that acts about one axis")]
     pub fn new(
         psi: &One<C>,
-        reach: &One<C>,
+        reach: &C,
         gravity: &One<C>,
         slope: &Option<UpperSlope<C>>,
         upper: &UpperWorks<C>,
@@ -51,7 +51,7 @@ impl<C: Calc> TurningMoments<C> {
         let zero = C::constant(0.0);
         let own = slope.as_ref().map(|slope| {
             let (steep, aside) = (slope.gamma.sin(), psi.sin());
-            (-((upper.moment + load.load * **reach) * steep * aside)).def(&s::M_GZ)
+            (-((upper.moment + load.load * *reach) * steep * aside)).def(&s::M_GZ)
         });
         let wind = turned.areas.zip(load.to()).map(|(areas, to)| {
             let aside = to.sin();

@@ -22,10 +22,10 @@ results! { SlewingLoad as l => { V: l.force; M: l.moment; } }
 
 impl<C: Calc> SlewingLoad<C> {
     /// V = V_0 + Q, M = M_u + Q R. [Ports001, 7.2]
-    pub fn new(still: &StillMoment<C>, upper: &C, load: &One<C>, reach: &One<C>) -> SlewingLoad<C> {
+    pub fn new(still: &StillMoment<C>, upper: &C, load: &One<C>, reach: &C) -> SlewingLoad<C> {
         SlewingLoad {
             force: (still.weight + **load).def(&s::V),
-            moment: (*upper + **load * **reach).def(&s::M),
+            moment: (*upper + **load * *reach).def(&s::M),
         }
     }
 }

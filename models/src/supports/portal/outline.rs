@@ -3,14 +3,19 @@
 use crate::component::outline::Explained::Stage;
 use crate::component::outline::{Greatest, Limit, Most, Outline, chapters};
 use crate::kernel::symbol::listed;
+use crate::luffing::aboard::{THETA_A, THETA_E};
+use crate::luffing::kinds::GIVEN;
 use crate::supports::portal::symbols as s;
 
 pub const OUTLINE: Outline = Outline {
     inputs: chapters!(
-        portal_place "", portal_corners "corners", portal_bodies "portal", portal_upper "upper", load "Q", load "R",
+        portal_place "", portal_corners "corners", portal_bodies "portal", portal_upper "upper",
+        carried_luffing "luffing", carried_weights "luffing.weights", carried_balance "luffing.balance", carried_inertias "luffing.dynamics", carried_range "luffing.motion",
+        load "Q", load "R",
         portal_wind "wind", portal_areas "wind.areas", portal_travel "travel", portal_storm "travel.storm", motion, limits
     ),
     constants: &[
+        ("carried_luffing", &[Stage("luffed")]),
         ("portal_weights", &[Stage("still"), Stage("own")]),
         ("portal_slewing", &[Stage("slewing")]),
         ("portal_circle", &[Stage("circle")]),
@@ -64,7 +69,7 @@ pub const OUTLINE: Outline = Outline {
         Limit::at_least("portal_storm", &s::K_S_MIN),
         Limit::at_most("portal_anchors", &s::U_MAX),
     ],
-    uses: &[],
+    uses: &[("carried_range", &[&THETA_A, &THETA_E]), ("carried_bars", GIVEN)],
     forces: listed!(s: N_R, N_H, H),
     worst: &[("greatest_wheel_load", &s::F_W_MAX)],
 };

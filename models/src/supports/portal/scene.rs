@@ -4,7 +4,8 @@ use crate::component::description::{Described, Description, Vocabulary};
 use crate::component::draw::along;
 use crate::component::mechanism::Entry;
 use crate::component::outline::{Limit, Outline};
-use crate::component::sheet::{Check, Drawing};
+use crate::component::sheet::{Check, Curve, Drawing, Sheet};
+use crate::component::stages::Stages;
 use crate::component::standing::Standing;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::gravity;
@@ -12,6 +13,9 @@ use crate::kernel::group::One;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Kind, Values};
 use crate::kernel::symbol::Symbol;
+use crate::luffing::aboard;
+use crate::luffing::kinds::CARRIED;
+use crate::luffing::rig::{LUFFED, Rig};
 use crate::parts::motion::Motion;
 use crate::parts::motor;
 use crate::parts::plane::Point;
@@ -31,14 +35,14 @@ const MANY: usize = 64;
 
 /// Keys of `[supports]`.
 pub const KEYS: &[Key] = keys! { s:
-    A > 0, B > 0, R [or_input], Q >= 0 [or_mass, or_input], K_L >= 0 [usually(0.1)];
+    A > 0, B > 0, R [or_input, optional], Q >= 0 [or_mass, or_input], THETA_1 [optional], K_L >= 0 [usually(0.1)];
     Key::kind(&["portal"], "A crane that slews on a portal with four corners on rails."),
     Key::new("frame", Kind::Choice(&FRAMES), "Whether the portal is rigid, or hinged so that its legs follow the rails."),
     Key::new("corners", Kind::Tables(CORNER, MANY), "The four corners, counter-clockwise: in front on the right rail, in front on the left one, behind on the left one, behind on the right one."),
     Key::new("portal", Kind::Tables(PORTAL, MANY), "Bodies of the portal, with its legs and travel gear.").optional(),
     Key::new("upper", Kind::Tables(UPPER, MANY), "Bodies of the upper works, with boom and counterweight.").optional(),
     Key::part("wind", WIND, "Wind on the crane."),
-    TRAVEL,
+    CARRIED, TRAVEL,
     Key::table("motion", MOTION, "Working range of slewing, over which the corner loads are looked through."),
     Key::part("limits", LIMITS, "What results may come to at most, or at least.")
 };
@@ -75,6 +79,17 @@ fn corners(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Vec<CornerWheels<f
     Some(corners)
 }
 
+/// The greatest of all over the reach, at a slewing angle (rad).
+fn over_reach(given: &Given<f64>, at: f64) -> Option<Curve> {
+    let mut known = PortalCrane::new(given.clone());
+    known.psi().1 = at;
+    let of = |theta: f64| {
+        known.held().as_mut()?.1 = theta;
+        Some([known.luffed().ok()?.reach, *known.top().ok()?])
+    };
+    Some(given.luffer.as_ref()?.over_reach("portal_reach", &s::N_TOP, of))
+}
+
 impl Described for PortalScene {
     type Component = PortalCrane;
     const ID: &'static str = "portal";
@@ -83,7 +98,7 @@ impl Described for PortalScene {
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "portal_symbol",
         own: &[s::ALL],
-        shared: &[motor::ALL, gravity::ALL],
+        shared: &[aboard::ALL, motor::ALL, gravity::ALL],
     };
 
     fn read(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<(PortalScene, Motion)> {
@@ -91,10 +106,11 @@ impl Described for PortalScene {
         let range = Motion::read(v.table("motion")?, found)?;
         let wind = v.table("wind");
         let travel = TravelScene::read(v, gravity, found)?;
+        let rig = Rig::read(v, ("supports", &[s::THETA_1.id]), gravity, false, found)?;
         let given = Given {
             psi: One(&s::PSI, range.from),
             omega: One(&s::OMEGA, range.speed),
-            reach: one(&s::R)?,
+            reach: rig.reach,
             load: one(&s::Q)?,
             base: Base::read(v)?,
             corners: corners(v, found)?,
@@ -109,6 +125,8 @@ impl Described for PortalScene {
             motors: travel.motors,
             driven: travel.driven,
             storm: travel.storm,
+            held: rig.held,
+            luffer: rig.luffer,
             kind: Hinged(v.text("frame") == Some(FRAMES[1])),
             open: LeftOpen::read(v, &[&s::R, &s::Q]),
         };
@@ -136,7 +154,8 @@ impl Described for PortalScene {
         };
         let travel = this.given.travel.map(|_| "portal_travel");
         let storm = this.given.storm.map(|_| "portal_storm");
-        let own = ["portal_level_static", kind, "portal_ground"];
+        let level = this.given.luffer.as_ref().map_or("portal_level_static", |_| LUFFED);
+        let own = [level, kind, "portal_ground"];
         own.into_iter().chain(travel).chain(storm).collect()
     }
 
@@ -150,6 +169,13 @@ impl Described for PortalScene {
         wind.into_iter()
             .chain([travel, "dynamic_coefficients", "strength", "load_cases"])
             .collect()
+    }
+
+    fn more(this: &Description<PortalScene>, _: &mut Standing, sheet: &mut Sheet) {
+        let governing = sheet.positions.first().map(|position| position.value);
+        sheet
+            .curves
+            .extend(governing.and_then(|at| over_reach(&this.given, at)));
     }
 
     /// The boom lies across no dimension.

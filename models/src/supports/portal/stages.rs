@@ -4,6 +4,7 @@ use crate::component::part::{Component, Port, ports};
 use crate::component::stages::{Found, stages};
 use crate::kernel::group::One;
 use crate::kernel::symbol::{Symbol, listed};
+use crate::luffing::luffed::{Luffed, Luffer, reach};
 use crate::parts::plane::Point;
 use crate::supports::plan::{LeftOpen, heading};
 use crate::supports::portal::circle::Circle;
@@ -25,7 +26,7 @@ stages! {
     PortalCrane over C from {
         Coordinate psi: One<C>,
         Rate omega: One<C>,
-        Parameter reach: One<C>,
+        Parameter reach: Option<One<C>>,
         Parameter load: One<C>,
         Parameter base: Base<C>,
         Parameter corners: Vec<CornerWheels<C>>,
@@ -40,12 +41,16 @@ stages! {
         Parameter motors: Option<PortalMotors<C>>,
         Parameter driven: Vec<CornerDrive<C>>,
         Parameter storm: Option<PortalStorm<C>>,
+        Input held: Option<One<C>>,
+        Fixed luffer: Option<Luffer>,
         Fixed kind: Hinged,
         Fixed open: LeftOpen,
     } find {
-        still: StillMoment<C> = StillMoment::new(portal, upper, wind, areas);
-        own: C = upper_moment(upper) => M_U;
-        slewing: SlewingLoad<C> = SlewingLoad::new(still, own, load, reach);
+        luffed: Luffed<C> = Luffed::held(luffer[!], held);
+        out: C = reach(reach, luffed[?]) => _;
+        still: StillMoment<C> = StillMoment::new(portal, upper, wind, areas, luffed[?]);
+        own: C = upper_moment(upper, luffed[?]) => M_U;
+        slewing: SlewingLoad<C> = SlewingLoad::new(still, own, load, out);
         circle: Circle<C> = Circle::new(base, still, slewing);
         heading: Point<C> = heading(psi) => _;
         moments: PortalMoments<C> = PortalMoments::new(still, slewing, heading);
@@ -57,7 +62,7 @@ stages! {
         loads[each corners]: Vec<CornerLoad<C>> =
             CornerLoad::new(kind, sideways, corners[each], rigid[each], hinged[each]);
         top: C = top(loads) => N_TOP;
-        edges[corners]: Vec<Edge<C>> = edges(base, still, own, load, reach, heading);
+        edges[corners]: Vec<Edge<C>> = edges(base, still, own, load, out, heading);
         rolling: C = rolling(wheels[!]) => W;
         blown: TravelWind<C> = TravelWind::new(travel[!], wind[!], areas);
         resisting: PortalResistance<C> =

@@ -2,6 +2,7 @@
 
 pub use crate::kernel::gravity::G;
 use crate::kernel::symbol::{Enumeration, Range, symbols};
+pub use crate::luffing::aboard::{R, THETA_1};
 pub use crate::parts::motor::{J_M, LAMBDA_M, P_N};
 
 /// The leg that is lifted.
@@ -39,7 +40,6 @@ symbols! {
     Y_P: "y_p" "y_(p i)" M / M, "Centre of gravity of a body of the portal, to the left of the slewing axis.", "input";
     G_U: "G_u" "G_(u i)" N / KN [not_negative], "Weight of a body of the upper works.", "input";
     R_U: "r_u" "r_(u i)" M / M, "Centre of gravity of a body of the upper works, in front of the slewing axis; negative behind it.", "input";
-    R: "R" "R" M / M, "Reach: distance of the load from the slewing axis.", "input";
     Q: "Q" "Q" N / KN [not_negative], "Weight of the load with hook block or grab.", "input";
     P_W: "p_w" "p_\"w\"" PA / PA [not_negative], "Pressure of the wind.", "input";
     CHI_W: "chi_w" "chi_\"w\"" RAD / DEG, "Direction to which the wind blows, from the direction of the rails; positive counter-clockwise, seen from above.", "input";

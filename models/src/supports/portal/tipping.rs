@@ -28,7 +28,7 @@ pub fn edges<C: Calc>(
     still: &StillMoment<C>,
     upper: &C,
     load: &One<C>,
-    reach: &One<C>,
+    reach: &C,
     heading: &Point<C>,
     room: &mut Vec<Edge<C>>,
 ) {
@@ -42,7 +42,7 @@ pub fn edges<C: Calc>(
         };
         let half = width / C::constant(2.0);
         let holds = signed(signed(still.weight * half, own, !out), *upper * heading, !out).def(&s::M_ST);
-        let arm = signed(C::constant(0.0), **reach * heading, out) - half;
+        let arm = signed(C::constant(0.0), *reach * heading, out) - half;
         let tips = signed(**load * arm, wind, out).def(&s::M_OV);
         Edge {
             holds,

@@ -4,6 +4,7 @@ use crate::component::stages::{absent, results};
 use crate::kernel::calc::{Calc, sum};
 use crate::kernel::group::quantities;
 use crate::kernel::variable::Fault;
+use crate::luffing::luffed::Luffed;
 use crate::parts::plane::{self, Point};
 use crate::supports::portal::symbols as s;
 
@@ -47,7 +48,7 @@ results! { StillMoment as m => {
 } }
 
 impl<C: Calc> StillMoment<C> {
-    /// V_0 = Σ G_p + Σ G_u, M_px = Σ G_p y_p, M_py = Σ G_p x_p, M_w = p_w Σ A_w h_w, M_0x = M_px + M_w sin χ_w.
+    /// V_0 = Σ G_p + Σ G_u, with a luffing mechanism its W_1 besides; M_px = Σ G_p y_p, M_py = Σ G_p x_p, M_w = p_w Σ A_w h_w, M_0x = M_px + M_w sin χ_w.
     ///
     /// # Errors
     /// Nothing weighs anything.
@@ -56,13 +57,14 @@ impl<C: Calc> StillMoment<C> {
         upper: &[SlewingBody<C>],
         wind: &Option<Blowing<C>>,
         areas: &[WindArea<C>],
+        luffed: Option<&Luffed<C>>,
     ) -> Result<StillMoment<C>, Fault> {
         let own = sum(portal.iter().map(|body| body.g_p));
         let weight = match upper {
             [] => own,
             _ => own + sum(upper.iter().map(|body| body.g_u)),
         };
-        let weight = weight.def(&s::V_0);
+        let weight = luffed.map_or(weight, |luffed| weight + luffed.weight).def(&s::V_0);
         if weight.value() <= 0.0 {
             let what = "V_0 = 0: a crane without weight stands on nothing; give the weights of portal and upper works";
             return Err(Fault::outside(what));
@@ -95,7 +97,8 @@ impl<C: Calc> StillMoment<C> {
     }
 }
 
-/// M_u = Σ G_u r_u, in N·m.
-pub fn upper_moment<C: Calc>(upper: &[SlewingBody<C>]) -> C {
-    sum(upper.iter().map(|body| body.g_u * body.r_u)).def(&s::M_U)
+/// M_u = Σ G_u r_u, with a luffing mechanism its M_r1 besides, in N·m.
+pub fn upper_moment<C: Calc>(upper: &[SlewingBody<C>], luffed: Option<&Luffed<C>>) -> C {
+    let own = sum(upper.iter().map(|body| body.g_u * body.r_u));
+    luffed.map_or(own, |luffed| own + luffed.forward).def(&s::M_U)
 }

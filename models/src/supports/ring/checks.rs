@@ -15,7 +15,7 @@ pub fn agreements(model: &mut Standing, rolling: &RollingElements, diameter: f64
     let count = rolling.cosines.len() as f64;
     let (mut balance, mut closed) = ([0.0_f64; 2], None);
     for at in fine(model.motion()).collect::<Vec<_>>() {
-        let [v, m, p, lambda] = [&s::V, &s::M, &s::P_MAX, &s::LAMBDA].map(|symbol| numbered(model, symbol, at));
+        let [v, m, p, lambda] = [&s::V, &s::M, &s::P_MAX, &s::LAMBDA_A].map(|symbol| numbered(model, symbol, at));
         for case in 0..v.len() {
             let (mut force, mut moment) = (0.0, 0.0);
             for cosine in &rolling.cosines {

@@ -34,7 +34,7 @@ results! { each RollingForces as p => {
     S_N: p.sum;
     V_M: p.whole;
     KAPPA: p.kappa;
-    LAMBDA: p.lambda;
+    LAMBDA_A: p.lambda;
     J_S: p.means[0];
     J_N: p.means[1];
     Q_FAR: p.far;
@@ -52,7 +52,7 @@ impl<C: Calc> RollingForces<C> {
         let [place, met, slope] = rolling.solved(kappa.value());
         let found = [(place, &s::LAMBDA_0), (met, &s::KAPPA_0), (slope, &s::D_KAPPA)];
         let [place, met, slope] = found.map(|(value, symbol)| C::constant(value).def(symbol));
-        let lambda = (place + (kappa - met) / slope).def(&s::LAMBDA);
+        let lambda = (place + (kappa - met) / slope).def(&s::LAMBDA_A);
         let approach = |cosine: C| one - lambda * (one - cosine);
         let amount = |force: C| if rolling.held_down { force.abs() } else { force };
         let [arms, amounts] = rolling.means(approach, |cosine, force| [(one + cosine) * force, amount(force)]);
@@ -144,17 +144,17 @@ pub struct MomentAlone<C> {
     pub force: C,
     pub sum: C,
 }
-results! { MomentAlone as m => { C_P: m.force; C_SIGMA: m.sum; J_1: m.means[0]; J_2: m.means[1]; } }
+results! { MomentAlone as m => { C_P: m.force; C_SIGMA: m.sum; ZETA_1: m.means[0]; ZETA_2: m.means[1]; } }
 
 impl<C: Calc> MomentAlone<C> {
-    /// P_max z D/M = 2/J_1 and Σ|P| D/M = 2 J_2/J_1, where J_1 = (1/z) Σ |c|ⁿ⁺¹ and J_2 = (1/z) Σ |c|ⁿ.
+    /// P_max z D/M = 2/ζ_1 and Σ|P| D/M = 2 ζ_2/ζ_1, where ζ_1 = (1/z) Σ |c|ⁿ⁺¹ and ζ_2 = (1/z) Σ |c|ⁿ.
     pub fn new(rolling: &RollingElements) -> MomentAlone<C> {
         let two = C::constant(2.0);
         // That of the first element, which sums over all of them name.
         let _ = C::constant(rolling.cosines[0]).def(&s::C_J);
         let of = |cosine: C, force: C| [cosine * force, force.abs()];
         let [turns, amounts] = rolling.means_on(true, |cosine: C| cosine, of);
-        let (turns, amounts) = (turns.def(&s::J_1), amounts.def(&s::J_2));
+        let (turns, amounts) = (turns.def(&s::ZETA_1), amounts.def(&s::ZETA_2));
         MomentAlone {
             means: [turns, amounts],
             force: (two / turns).def(&s::C_P),

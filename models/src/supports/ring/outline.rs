@@ -3,6 +3,8 @@
 use crate::component::outline::Explained::Stage;
 use crate::component::outline::{Greatest, Limit, Line, Most, Outline, SectionOutline, chapters, joined};
 use crate::kernel::symbol::listed;
+use crate::luffing::aboard::{THETA_A, THETA_E};
+use crate::luffing::kinds::GIVEN;
 use crate::supports::drive::outline as drive;
 use crate::supports::drive::symbols as d;
 use crate::supports::ring::symbols as s;
@@ -10,7 +12,9 @@ use crate::supports::upper::symbols as u;
 
 pub const OUTLINE: Outline = Outline {
     inputs: chapters!(
-        ring_raceway "", load "Q", load "R", upper_bodies "upper", upper_slope "slope", upper_areas "areas",
+        ring_raceway "", load "Q", load "R", upper_bodies "upper",
+        carried_luffing "luffing", carried_weights "luffing.weights", carried_balance "luffing.balance", carried_inertias "luffing.dynamics", carried_range "luffing.motion",
+        upper_slope "slope", upper_areas "areas",
         upper_cases "load_cases", ring_contact "contact", ring_capacity "capacity", ring_curve "capacity.curve",
         ring_friction "friction", ring_maker "maker_friction", ring_bolts "bolts", ring_life "life", turning_drive "slewing_drive", turning_brake "slewing_drive.brake", turning_coupling "slewing_drive.coupling", turning_pinion "slewing_drive.pinion",
         motion, limits
@@ -24,7 +28,9 @@ pub const OUTLINE: Outline = Outline {
     sensitivity: listed!(s: P_TOP, U_ST_MAX, M_TOP),
     limits: &LIMITS,
     uses: &[
-        ("upper_heights", listed!(u: H_U)),
+        ("upper_heights", listed!(u: H_U, H_1)),
+        ("carried_range", &[&THETA_A, &THETA_E]),
+        ("carried_bars", GIVEN),
         ("upper_cases", listed!(u: K_Q, P_W, CHI_W)),
         ("upper_cases", listed!(d: N_S, ALPHA_Q, K_B)),
         ("ring_curve", listed!(s: F_CURVE, M_CURVE)),
@@ -33,9 +39,10 @@ pub const OUTLINE: Outline = Outline {
     worst: &[("greatest_rolling_force", &s::P_TOP)],
 };
 
-const CONSTANTS: [SectionOutline; 5] = joined(OWN_CONSTANTS, drive::CONSTANTS);
+const CONSTANTS: [SectionOutline; 6] = joined(OWN_CONSTANTS, drive::CONSTANTS);
 
-const OWN_CONSTANTS: [SectionOutline; 3] = [
+const OWN_CONSTANTS: [SectionOutline; 4] = [
+    ("carried_luffing", &[Stage("luffed"), Stage("spun")]),
     ("upper_weights", &[Stage("upper")]),
     ("ring_alone", &[Stage("alone")]),
     ("ring_hardness", &[Stage("hardness")]),

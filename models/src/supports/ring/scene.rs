@@ -5,6 +5,7 @@ use crate::component::draw::{Draw, along, polar};
 use crate::component::mechanism::Entry;
 use crate::component::outline::{Limit, Outline};
 use crate::component::sheet::{Check, Curve, Drawing, Sheet};
+use crate::component::stages::Stages;
 use crate::component::standing::Standing;
 use crate::component::telling::numbered;
 use crate::kernel::diagnostic::Diagnostic;
@@ -12,6 +13,7 @@ use crate::kernel::group::One;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Kind, Values};
 use crate::kernel::symbol::Symbol;
+use crate::luffing::kinds::CARRIED;
 use crate::parts::load_curve::{LoadCurve, corner};
 use crate::parts::motion::Motion;
 use crate::parts::plane::Point;
@@ -31,7 +33,7 @@ use crate::supports::ring::outline::OUTLINE;
 use crate::supports::ring::stages::{Given, SlewingRing};
 use crate::supports::ring::symbols as s;
 use crate::supports::upper;
-use crate::supports::upper::keys::{AREAS, LOAD_CASES, MOTION, SLOPE, UPPER};
+use crate::supports::upper::keys::{self, AREAS, LOAD_CASES, MOTION, SLOPE, UPPER};
 use crate::supports::upper::load::SupportCase;
 use crate::supports::upper::weights::{UpperArea, UpperSlope, UpperWeight};
 
@@ -40,11 +42,11 @@ const MANY: usize = 64;
 
 /// Keys of `[supports]`.
 pub const KEYS: &[Key] = keys! { s:
-    D > 0, Z > 0, ALPHA > 0, R [or_input], Q >= 0 [or_mass, or_input];
+    D > 0, Z > 0, ALPHA > 0, R [or_input, optional], Q >= 0 [or_mass, or_input], THETA_1 [optional], H_1 [optional];
     Key::kind(&["ring"], "A crane that slews on a ring of balls or rollers."),
     Key::new("law", Kind::Choice(&LAWS), "How a rolling element yields: \"linear\" as a spring, \"line\" with the power 10/9 of its approach as rollers, \"point\" with the power 3/2 as balls."),
     Key::new("rows", Kind::Choice(&ROWS), "Whether rolling elements bear pressure alone, or a hold-down row bears by the same law where the ring would be lifted."),
-    UPPER, LOAD_CASES, AREAS, SLOPE,
+    UPPER, LOAD_CASES, AREAS, SLOPE, CARRIED,
     Key::part("contact", CONTACT, "Contact of rolling elements and raceway, and its hardness."),
     Key::part("capacity", CAPACITY, "The maker's load curve of the ring, and the equivalent loads that it asks for."),
     Key::part("friction", FRICTION, "Friction by the forces on all rolling elements, with the textbook's coefficient."),
@@ -162,9 +164,21 @@ fn turned(this: &RingScene, model: &mut Standing) -> Option<Check> {
         areas: &given.areas,
         slope: given.slope,
         cases: &given.cases,
-        hung: [*given.reach, *given.load],
+        load: *given.load,
+        reach: given.reach.map(|reach| *reach),
     };
     about_the_axis(model, &this.turning, &there)
+}
+
+/// The greatest of all over the reach, at a slewing angle (rad).
+fn over_reach(given: &Given<f64>, at: f64) -> Option<Curve> {
+    let mut known = SlewingRing::new(given.clone());
+    known.psi().1 = at;
+    let of = |theta: f64| {
+        known.held().as_mut()?.1 = theta;
+        Some([known.luffed().ok()?.reach, known.worst().ok()?.moment])
+    };
+    Some(given.luffer.as_ref()?.over_reach("upper_reach", &s::M_ALL, of))
 }
 
 impl Described for RingScene {
@@ -184,16 +198,21 @@ impl Described for RingScene {
         let form = v.table("maker_friction").and_then(|table| table.text("form"));
         let turning = TurningScene::read(v, &["friction", "maker_friction"], gravity, found)?;
         bolted(v, found);
+        let rig = keys::rig(v, gravity, found)?;
         let given = Given {
             psi: One(&s::PSI, range.from),
             omega: One(&s::OMEGA, range.speed),
-            reach: one(&s::R)?,
+            reach: rig.reach,
             load: one(&s::Q)?,
             raceway: Raceway::read(v)?,
             bodies: each(v, "upper", UpperWeight::read)?,
             areas: each(v, "areas", UpperArea::read)?,
             slope: v.part("slope", UpperSlope::read)?,
+            hook: keys::hook(v),
             cases: each(v, "load_cases", SupportCase::read)?,
+            foot: one(&s::H_1),
+            held: rig.held,
+            luffer: rig.luffer,
             contact: v.part("contact", RollingContact::read)?,
             length: v
                 .table("contact")
@@ -251,7 +270,8 @@ impl Described for RingScene {
         };
         let bolts = this.given.bolts.map(|_| "ring_bolts");
         let life = this.given.dynamic.map(|_| "ring_life");
-        let own = ["upper_level_static", law, rows, "ring_rigid"];
+        let level = keys::level(&this.given.luffer);
+        let own = [level, law, rows, "ring_rigid"];
         own.into_iter()
             .chain(bolts)
             .chain(life)
@@ -271,8 +291,12 @@ impl Described for RingScene {
             .collect()
     }
 
-    /// The load curve, with the reference loads of the cases where the curve is used most.
+    /// The moment over the reach; the load curve, with the reference loads of the cases where the curve is used most.
     fn more(this: &Description<RingScene>, model: &mut Standing, sheet: &mut Sheet) {
+        let governing = sheet.positions.first().map(|position| position.value);
+        sheet
+            .curves
+            .extend(governing.and_then(|at| over_reach(&this.given, at)));
         let most = sheet.governing.iter().find(|found| found.symbol == &s::U_ST_MAX);
         let Some((_, at)) = most.and_then(|found| found.at) else {
             return;

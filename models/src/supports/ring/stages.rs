@@ -18,9 +18,8 @@ use crate::supports::ring::law::RollingElements;
 use crate::supports::ring::life::{DynamicCapacity, RacewayLife};
 use crate::supports::ring::symbols as s;
 use crate::supports::upper;
-use crate::supports::upper::fragments::{carried, slews};
+use crate::supports::upper::fragments::{carried, luffs, reached, slews};
 use crate::supports::upper::load::{SupportLoad, WorstLoad};
-use crate::supports::upper::weights::UpperWorks;
 
 composed! {
     /// A slewing ring under a crane.
@@ -28,6 +27,7 @@ composed! {
         ..slews(),
         Parameter raceway: Raceway<C>,
         ..carried(),
+        ..luffs(),
         Parameter contact: Option<RollingContact<C>>,
         Parameter length: Option<One<C>>,
         Parameter equivalent: Option<Equivalent<C>>,
@@ -41,8 +41,8 @@ composed! {
         ..turned_by(),
     } find {
         alone: MomentAlone<C> = MomentAlone::new(rolling);
-        upper: UpperWorks<C> = UpperWorks::new(bodies, slope, areas);
-        loads[each cases]: Vec<SupportLoad<C>> = SupportLoad::new(psi, reach, load, slope, upper, cases[each]);
+        ..reached();
+        loads[each cases]: Vec<SupportLoad<C>> = SupportLoad::new(psi, out, load, slope, upper, cases[each]);
         spreads[cases]: Vec<RollingForces<C>> = spreads(psi, raceway, rolling, loads);
         worst: WorstLoad<C> = WorstLoad::new(loads);
         all: AllCases<C> = AllCases::new(spreads);
@@ -72,7 +72,7 @@ impl Component for SlewingRing {
     };
 
     fn has(given: &Given<f64>, symbol: &'static Symbol) -> bool {
-        let standing = [given.slope.is_some(), !given.areas.is_empty()];
+        let standing = [given.slope.is_some(), !given.areas.is_empty(), given.luffer.is_some()];
         let turning = [given.drive.is_some(), given.rope.is_some()];
         upper::keys::has(symbol, standing) && drive::has(symbol, standing, turning)
     }

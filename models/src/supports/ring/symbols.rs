@@ -3,7 +3,7 @@
 use crate::kernel::symbol::{Range, symbols};
 pub use crate::supports::drive::symbols::{M_FS, RHO_C};
 pub use crate::supports::upper::symbols::{
-    AGREEMENT, FROM, H, H_ALL, H_TOP, M, M_ALL, M_TOP, OMEGA, PSI, Q, R, TO, V, V_TOP,
+    AGREEMENT, FROM, H, H_1, H_ALL, H_TOP, M, M_ALL, M_TOP, OMEGA, PSI, Q, R, THETA_1, TO, V, V_TOP,
 };
 
 symbols! {
@@ -40,7 +40,7 @@ symbols! {
     LAMBDA_0: "lambda_0" "lambda_(0 i)" ONE / ONE, "Fall of the approach as a search has found it.", "derived";
     KAPPA_0: "kappa_0" "kappa_(0 i)" ONE / ONE, "Part of the couple that the forces have there.", "derived";
     D_KAPPA: "d_kappa" "kappa'_(0 i)" ONE / ONE, "How it grows there with the fall.", "derived";
-    LAMBDA: "lambda" "lambda_i" ONE / ONE, "Fall of the approach over the ring: an element yields by 1 − λ (1 − c), c being the cosine of its angle from the direction of the moment.", "equilibrium";
+    LAMBDA_A: "lambda_a" "lambda_i" ONE / ONE, "Fall of the approach over the ring: an element yields by 1 − λ (1 − c), c being the cosine of its angle from the direction of the moment.", "equilibrium";
     C_J: "c_j" "c_j" ONE / ONE, "Cosine of the angle of rolling element j from the direction of the moment; the first one lies there.", "derived";
     J_S: "J_s" "J_(\"s\" i)" ONE / ONE, "Mean of the forces on the rolling elements with 1 + c, over the greatest force.", "equilibrium";
     J_N: "J_n" "J_(\"n\" i)" ONE / ONE, "Mean of the forces on the rolling elements by amount, over the greatest force.", "equilibrium";
@@ -56,8 +56,8 @@ symbols! {
     // A moment alone.
     C_P: "c_P" "c_P" ONE / ONE, "Greatest force on a rolling element under a moment alone, with their number and the diameter over the moment: 4 where they yield linearly.", "equilibrium";
     C_SIGMA: "c_Sigma" "c_Sigma" ONE / ONE, "Sum of the forces on all rolling elements by amount under a moment alone, with the diameter over the moment: 8/π where they yield linearly.", "equilibrium";
-    J_1: "J_1" "J_1" ONE / ONE, "Mean of the forces with their cosine under a moment alone, over the greatest force.", "equilibrium";
-    J_2: "J_2" "J_2" ONE / ONE, "Mean of the forces by amount under a moment alone, over the greatest force.", "equilibrium";
+    ZETA_1: "zeta_1" "zeta_1" ONE / ONE, "Mean of the forces with their cosine under a moment alone, over the greatest force.", "equilibrium";
+    ZETA_2: "zeta_2" "zeta_2" ONE / ONE, "Mean of the forces by amount under a moment alone, over the greatest force.", "equilibrium";
 
     // Contact, capacity, friction.
     E_STAR: "E_star" "E^*" PA / MPA, "Modulus of the contact of two bodies alike.", "[Ports001, 6.3.1.2]";

@@ -31,7 +31,7 @@ results! { each SupportLoad as l => {
     H: l.horizontal;
     M: l.moment;
     Q_C: l.load;
-    G_C: l.weight;
+    G_S: l.weight;
     M_V: l.upright;
     M_GAMMA: l.leaning.ok_or_else(absent)?;
     BETA_W: l.wind.ok_or_else(absent)?[0];
@@ -57,7 +57,7 @@ impl<C: Calc> SupportLoad<C> {
     /// M_γ = (S_u + Q h_Q) sin γ, M_w = p_w S_w and β = χ_w − ψ; H likewise of G sin γ and p_w A_w. [Ports001, 6.1]
     pub fn new(
         psi: &One<C>,
-        reach: &One<C>,
+        reach: &C,
         load: &One<C>,
         slope: &Option<UpperSlope<C>>,
         upper: &UpperWorks<C>,
@@ -65,13 +65,13 @@ impl<C: Calc> SupportLoad<C> {
     ) -> SupportLoad<C> {
         let zero = Point::new(C::constant(0.0), C::constant(0.0));
         let load = (case.k_q * **load).def(&s::Q_C);
-        let weight = (upper.weight + load).def(&s::G_C);
-        let moment = upper.moment + load * **reach;
+        let weight = (upper.weight + load).def(&s::G_S);
+        let moment = upper.moment + load * *reach;
         let (mut vertical, mut upright, mut leaning, mut down) = (weight, moment, None, [zero; 2]);
-        if let Some((slope, high)) = slope.as_ref().zip(upper.high) {
+        if let Some((slope, [high, hung])) = slope.as_ref().zip(upper.high) {
             let (sin, cos) = slope.gamma.sin_cos();
             (vertical, upright) = (weight * cos, moment * cos);
-            let tilted = ((high + load * slope.h_q) * sin).def(&s::M_GAMMA);
+            let tilted = ((high + load * hung) * sin).def(&s::M_GAMMA);
             leaning = Some(tilted);
             let (across, ahead) = psi.sin_cos();
             let way = Point::new(ahead, -across);
@@ -115,7 +115,7 @@ impl<C: Calc> SupportLoad<C> {
 /// The greatest of all cases.
 #[derive(Clone, Copy, Debug)]
 pub struct WorstLoad<C> {
-    moment: C,
+    pub moment: C,
     horizontal: C,
 }
 results! { WorstLoad as w => { M_ALL: w.moment; H_ALL: w.horizontal; } }

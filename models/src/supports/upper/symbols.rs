@@ -1,6 +1,7 @@
 //! Quantities of what slews on a support, and of the forces and the moment that it brings there.
 
 use crate::kernel::symbol::symbols;
+pub use crate::luffing::aboard::{R, THETA_1};
 
 symbols! {
     // Given.
@@ -8,7 +9,6 @@ symbols! {
     OMEGA: "omega" "omega" RAD_PER_S / DEG_PER_S, "Angular velocity of slewing.", "input";
     FROM: "from" "psi_a" RAD / DEG, "Slewing angle at the start of the working range.", "input";
     TO: "to" "psi_e" RAD / DEG, "Slewing angle at the end of the working range.", "input";
-    R: "R" "R" M / M, "Reach: distance of the load from the slewing axis.", "input";
     Q: "Q" "Q" N / KN [not_negative], "Weight of the load with hook block or grab.", "input";
     G_U: "G_u" "G_(u i)" N / KN [not_negative], "Weight of a body of the upper works.", "input";
     R_U: "r_u" "r_(u i)" M / M, "Centre of gravity of a body of the upper works, in front of the slewing axis; negative behind it.", "input";
@@ -16,6 +16,7 @@ symbols! {
     A_W: "A_w" "A_(\"w\" i)" M2 / M2 [not_negative], "Wind area of what slews, with its shape coefficient.", "input";
     H_W: "h_w" "h_(\"w\" i)" M / M, "Centre of a wind area, above the slewing support.", "input";
     GAMMA: "gamma" "gamma" RAD / DEG [from_to(0.0, 0.5)], "Slope on which the crane stands.", "input";
+    H_1: "h_1" "h_1" M / M, "Height of the luffing mechanism's foot above the slewing support.", "input";
     H_Q: "h_Q" "h_Q" M / M, "Height above the slewing support of the point from which the load hangs.", "input";
     K_Q: "k_Q" "k_(Q i)" ONE / ONE [not_negative], "Factor by which the load counts in the case.", "input";
     P_W: "p_w" "p_(\"w\" i)" PA / PA [not_negative], "Pressure of the wind in the case.", "input";
@@ -30,7 +31,7 @@ symbols! {
 
     // Loads of a case.
     Q_C: "Q_c" "Q_i" N / KN, "Load as it counts in the case.", "derived";
-    G_C: "G_c" "G_i" N / KN, "Weight of all that slews in the case.", "derived";
+    G_S: "G_s" "G_i" N / KN, "Weight of all that slews in the case.", "derived";
     M_V: "M_v" "M_(\"v\" i)" N_M / KN_M, "Moment of the weights square to the slewing plane; positive in the boom's direction.", "equilibrium";
     M_GAMMA: "M_gamma" "M_(gamma i)" N_M / KN_M, "Moment of the weights down the slope at their heights; in the downhill direction.", "equilibrium";
     BETA_W: "beta_w" "beta_i" RAD / DEG, "Direction to which the wind blows, from that of the boom.", "derived";
