@@ -10,7 +10,7 @@ use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Values};
 use crate::kernel::symbol::Symbol;
 use crate::luffing::kinds::CARRIED;
-use crate::luffing::rig::Rig;
+use crate::luffing::rig::GivenCrane;
 
 pub static PEDESTAL: &[Key] = keys! { s: X_S, Y_S [usually(0.0)], H_S [or_input, optional], H_1 [optional] };
 
@@ -24,7 +24,7 @@ pub struct CraneRig {
     pub place: CranePlace<f64>,
     pub height: One<f64>,
     pub turning: Vec<TurningMass<f64>>,
-    pub rig: Rig,
+    pub rig: GivenCrane,
     /// What is commanded of luffing.
     pub command: LuffingCommand<f64>,
 }
@@ -82,7 +82,7 @@ impl CraneRig {
         }
         suits(v, pedestal, found);
         let moves = v.text("fidelity") == Some("swing");
-        let rig = Rig::read(v, ("hull", &LUFFING), gravity, moves, found);
+        let rig = GivenCrane::read(v, ("hull", &LUFFING), gravity, moves, found);
         let rig = rig.filter(|_| found.len() == before)?;
         let one = |of: &Values, symbol: &'static Symbol| of.of(symbol).map(|value| One(symbol, value));
         Some(CraneRig {

@@ -5,7 +5,6 @@ use std::sync::Arc;
 use num_dual::Dual64;
 
 use crate::component::scalar::{EachScalar, Scalar};
-use crate::component::sheet::Curve;
 use crate::component::stages::results;
 use crate::kernel::calc::{Calc, sum};
 use crate::kernel::group::{One, group};
@@ -136,21 +135,6 @@ impl<C: Scalar> Luffed<C> {
     /// As [`at`](Luffed::at).
     pub fn held(of: &Luffer, theta: &Option<One<C>>) -> Result<Luffed<C>, Fault> {
         Self::at(of, theta.map(|theta| theta.1))
-    }
-}
-
-impl Luffer {
-    /// What `of` gives over its reach, by the luffing angle (rad) through its working range.
-    pub fn over_reach(&self, id: &'static str, y: &'static Symbol, of: impl FnMut(f64) -> Option<[f64; 2]>) -> Curve {
-        const STEPS: u32 = 60;
-        let angles = (0..=STEPS).map(|i| self.0.range().at(f64::from(i) / f64::from(STEPS)));
-        Curve {
-            id,
-            x: &s::R,
-            y,
-            pieces: vec![angles.filter_map(of).collect()],
-            numbers: Vec::new(),
-        }
     }
 }
 

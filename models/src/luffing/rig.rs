@@ -1,8 +1,10 @@
 //! The crane on what carries it, as a scene gives it: a head of a given reach, or a luffing mechanism.
 
+use crate::component::sheet::Curve;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::group::One;
 use crate::kernel::schema::Values;
+use crate::kernel::symbol::Symbol;
 use crate::luffing::aboard::{self as s, Aboard};
 use crate::luffing::kinds::{CARRIED, carried};
 use crate::luffing::luffed::Luffer;
@@ -12,7 +14,7 @@ pub const LUFFED: &str = "carried_level";
 
 /// The reach (m), or the luffing mechanism with its angle at the start (rad).
 #[derive(Clone, Debug)]
-pub struct Rig {
+pub struct GivenCrane {
     pub reach: Option<One<f64>>,
     pub luffer: Option<Luffer>,
     pub held: Option<One<f64>>,
@@ -53,7 +55,7 @@ fn start(v: &Values, luffer: &dyn Aboard, found: &mut Vec<Diagnostic>) -> One<f6
     One(&s::THETA_1, at)
 }
 
-impl Rig {
+impl GivenCrane {
     /// Of a table of the scene under gravity (m/s²), which has these keys besides for a luffing mechanism alone; its bodies with
     /// inertias where they `move`. Mistakes go to `found`.
     pub fn read(
@@ -62,7 +64,7 @@ impl Rig {
         gravity: f64,
         moves: bool,
         found: &mut Vec<Diagnostic>,
-    ) -> Option<Rig> {
+    ) -> Option<GivenCrane> {
         let before = found.len();
         suits(v, table, idle, found);
         let bars = v.table(CARRIED.name).filter(|_| found.len() == before);
@@ -70,10 +72,25 @@ impl Rig {
         if found.len() > before {
             return None;
         }
-        Some(Rig {
+        Some(GivenCrane {
             reach: v.of(&s::R).map(|value| One(&s::R, value)),
             held: luffer.as_ref().map(|luffer| start(v, &*luffer.0, found)),
             luffer,
         })
+    }
+}
+
+impl Luffer {
+    /// What `of` gives over its reach, by the luffing angle (rad) through its working range.
+    pub fn over_reach(&self, id: &'static str, y: &'static Symbol, of: impl FnMut(f64) -> Option<[f64; 2]>) -> Curve {
+        const STEPS: u32 = 60;
+        let angles = (0..=STEPS).map(|i| self.0.range().at(f64::from(i) / f64::from(STEPS)));
+        Curve {
+            id,
+            x: &s::R,
+            y,
+            pieces: vec![angles.filter_map(of).collect()],
+            numbers: Vec::new(),
+        }
     }
 }

@@ -15,7 +15,7 @@ use crate::kernel::schema::{Key, Kind, Values};
 use crate::kernel::symbol::Symbol;
 use crate::luffing::aboard;
 use crate::luffing::kinds::CARRIED;
-use crate::luffing::rig::{LUFFED, Rig};
+use crate::luffing::rig::{GivenCrane, LUFFED};
 use crate::parts::motion::Motion;
 use crate::parts::motor;
 use crate::parts::plane::Point;
@@ -106,7 +106,7 @@ impl Described for PortalScene {
         let range = Motion::read(v.table("motion")?, found)?;
         let wind = v.table("wind");
         let travel = TravelScene::read(v, gravity, found)?;
-        let rig = Rig::read(v, ("supports", &[s::THETA_1.id]), gravity, false, found)?;
+        let rig = GivenCrane::read(v, ("supports", &[s::THETA_1.id]), gravity, false, found)?;
         let given = Given {
             psi: One(&s::PSI, range.from),
             omega: One(&s::OMEGA, range.speed),

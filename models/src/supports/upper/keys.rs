@@ -8,7 +8,7 @@ use crate::kernel::sign::Sign;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::luffing::kinds::CARRIED;
 use crate::luffing::luffed::Luffer;
-use crate::luffing::rig::{LUFFED, Rig};
+use crate::luffing::rig::{GivenCrane, LUFFED};
 use crate::parts::motion::Motion;
 use crate::supports::drive::symbols as d;
 use crate::supports::upper::symbols as s;
@@ -56,8 +56,8 @@ pub const MOTION: Key = Key::table(
 
 /// The reach or the luffing mechanism of a crane on a slewing support under gravity (m/s²): with a slope its heights count. Mistakes
 /// go to `found`.
-pub fn rig(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<Rig> {
-    let rig = Rig::read(v, ("supports", &[s::THETA_1.id, s::H_1.id]), gravity, false, found);
+pub fn rig(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<GivenCrane> {
+    let rig = GivenCrane::read(v, ("supports", &[s::THETA_1.id, s::H_1.id]), gravity, false, found);
     let Some(slope) = v.table("slope") else { return rig };
     let (hook, foot) = (s::H_Q.id, s::H_1.id);
     let refused = match (v.has(CARRIED.name), slope.has(hook), v.has(foot)) {
