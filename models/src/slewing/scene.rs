@@ -190,7 +190,6 @@ fn driven(
 }
 
 /// What a controller holds that has held an angular velocity (rad/s) so far: one that is sampled, or one that is continuous.
-#[expect(clippy::type_complexity, reason = "all may be absent")]
 fn steady(control: Option<SpeedControl>, omega: f64) -> (Option<Latched>, (Option<Regulating>, Option<Regime>)) {
     let Some(control) = control else {
         return (None, (None, None));
