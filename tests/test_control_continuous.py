@@ -11,6 +11,7 @@ from scipy.integrate import solve_ivp
 
 from conftest import ROOT, lemnis
 from test_commands import ENDS, Stepped, same_bits, written
+from test_slewing_coupling import PLAIN
 
 KINDS = ("CoSimulation", "ModelExchange")
 SPEED = ROOT / "models/scenes/slewing_by_speed.toml"
@@ -246,9 +247,39 @@ def test_derivatives_are_those_of_the_law(shafts):
     for known, slope in (("omega_rsl", k_p), ("omega_sl", -k_p), ("epsilon_sl", k_i)):
         found = fmu.slave.getDirectionalDerivative([names["M_sl"], names["der(omega_sl)"]], [names[known]], [1.0])
         assert list(found) == pytest.approx([slope, slope / J], rel=1e-14), known
-    found = fmu.slave.getDirectionalDerivative([names["der(epsilon_sl)"]] * 1, [names["omega_sl"]], [1.0])
+    found = fmu.slave.getDirectionalDerivative([names["der(epsilon_sl)"]], [names["omega_sl"]], [1.0])
     assert list(found) == [-1.0]
     fmu.close()
+
+
+CONTROL = """[slewing.control]
+K_psl = "3000 kN.m.s"
+K_isl = "3000 kN.m"
+{cycle}
+a_sl = "0.06 rad/s2"
+M_maxsl = "600 kN.m"
+omega_csl = {command}
+[slewing.coupling]"""
+
+
+def test_a_drive_behind_a_coupling_that_slips(tmp_path):
+    """It has the speed of the drive; friction holds the crane in the end. Both interfaces agree, and sampled controllers are off
+    by their cycle in proportion, the heat of the coupling too."""
+    names, found = ["omega_sl", "omega_d", "W_slip"], {}
+    for cycle in (None, 10, 1):
+        control = CONTROL.format(cycle="" if cycle is None else f'T_csl = "{cycle} ms"', command=told([(0, 0.1), (12, 0), (40, 0)]))
+        text = PLAIN.format(drive='c_sl = "200 kN.m.s"').replace("[slewing.coupling]", control)
+        path = written(tmp_path, "Plain", text)["FMI 3"]
+        for kind in KINDS if cycle is None else KINDS[:1]:
+            run = simulate_fmu(path, fmi_type=kind, stop_time=40.0, output_interval=0.25, relative_tolerance=1e-10, output=names,
+                               record_events=False)
+            found[cycle, kind] = np.array([run[name] for name in names])
+    continuous = found[None, KINDS[0]]
+    sizes = np.abs(continuous).max(axis=1)
+    assert continuous[0, -1] == 0.0 and sizes[2] > 0.0
+    assert (np.abs(found[None, KINDS[1]] - continuous).max(axis=1) <= 1e-7 * sizes).all()
+    long, short = (np.abs(found[cycle, KINDS[0]] - continuous).max(axis=1) for cycle in (10, 1))
+    assert np.abs(np.log10(long / short) - 1.0).max() <= 0.1
 
 
 @pytest.mark.parametrize("kind", KINDS)
