@@ -44,7 +44,7 @@ pub struct Regime<C = f64> {
     pub target: C,
     /// 1, −1, or 0 where it is there.
     pub way: C,
-    /// Of [`Hold`].
+    /// How the limit has the moment: 0 within it, else a number with the sign of the moment.
     pub hold: C,
 }
 
