@@ -21,11 +21,20 @@ const CYCLE: f64 = 0.05;
 
 /// A rigid shaft of 4e6 kg·m² without friction: keys of slewing, and of its controller.
 fn rigid(keys: &str, cycle: f64, control: &str) -> Model {
-    model(&format!(
+    model(&shaft(keys, &format!("T_csl = \"{cycle} s\""), control))
+}
+
+fn shaft(keys: &str, cycle: &str, control: &str) -> String {
+    format!(
         "name = \"Test\"\ntitle = \"Test\"\n[slewing]\nfidelity = \"rigid\"\nR = \"20 m\"\nQ = \"0 t\"\nJ_sl = \"4e6 kg.m2\"\n{keys}\n\
-         [slewing.control]\nK_psl = \"6000 kN.m.s\"\nK_isl = \"5000 kN.m\"\nT_csl = \"{cycle} s\"\n{control}\n\
+         [slewing.control]\nK_psl = \"6000 kN.m.s\"\nK_isl = \"5000 kN.m\"\n{cycle}\n{control}\n\
          [slewing.motion]\nfrom = \"0 deg\"\nto = \"90 deg\"\nstep = \"5 deg\"\nspeed = \"6 deg/s\"\n"
-    ))
+    )
+}
+
+/// The same without a cycle.
+fn continuous_shaft(keys: &str, control: &str) -> Model {
+    model(&shaft(keys, "", control))
 }
 
 const FREE: &str = "a_sl = \"1e3 rad/s2\"\nM_maxsl = \"1e9 kN.m\"";
@@ -155,6 +164,26 @@ fn gains_that_swing_up_are_refused_where_they_are_set_too() {
         assert_eq!(started.is_ok(), runs, "{gain}: {started:?}");
         assert!(runs || started.is_err_and(|fault| fault.message.contains("swings up")));
     }
+}
+
+/// A continuous controller whose integral asks for twice the limit, while the speed is above the set point: it falls as the error
+/// has it from the first instant, M_i = 2 M_max − K_i ∫|e| dt, under the moment of the limit, ω̇ = M_max/J.
+#[test]
+fn beyond_the_limit_an_error_that_asks_for_less_is_integrated() {
+    let text = "omega_csl = \"0 rad/s\"\na_sl = \"1 rad/s2\"\nM_maxsl = \"100 kN.m\"";
+    let mut model = continuous_shaft("omega_sl = \"0.001 rad/s\"", text);
+    model.start().expect("starts");
+    // The set point comes down from the speed at the start.
+    model.advance(0.0, 0.01).expect("runs");
+    set(&mut model, "epsilon_sl", 200e3 / K_I);
+    set(&mut model, "omega_sl", 0.001);
+    let before = get(&mut model, "omega_rsl");
+    model.advance(0.01, 0.11).expect("runs");
+    let fallen = 0.001 * 0.1 + 0.5 * (100e3 / J) * 0.01;
+    near(before, 0.0, 1e-15);
+    near(get(&mut model, "omega_sl"), 0.001 + 100e3 / J * 0.1, 1e-12);
+    near(get(&mut model, "epsilon_sl"), 200e3 / K_I - fallen, 1e-12);
+    near(get(&mut model, "M_sl"), 100e3, 0.0);
 }
 
 /// What was saved between two samples goes on in the same bits.

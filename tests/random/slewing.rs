@@ -129,6 +129,10 @@ fn controls(n: &mut Node, inertia: f64) {
         [start - 1.0, start + 1.0],
         cycle,
     );
+    // A commanded speed may be followed without samples.
+    if control.has("omega_csl") && control.draw.coin(0.5) {
+        control.remove(&["T_csl"]);
+    }
     n.remove(&[SLEWING.moment]);
 }
 

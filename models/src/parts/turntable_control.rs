@@ -4,6 +4,7 @@ use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Values};
 use crate::kernel::symbol::{Symbol, symbols};
 use crate::parts::control::DriveAxis;
+use crate::parts::control::continuous::ContinuousAxis;
 use crate::parts::control::reading::TABLE;
 use crate::parts::turntable::M_SL;
 use crate::parts::turntable_control as s;
@@ -28,6 +29,17 @@ symbols! {
     M_A_SL: "M_asl" "M_\"a sl\"" N_M / KN_M, "Moment that the slewing controller asks for, before its limit.", "derived";
     M_IN_SL: "M_insl" "M_\"i,n sl\"" N_M / KN_M, "Integral part of the moment after this sample, unless the limit holds it.", "derived";
     M_N_SL: "M_nsl" "M_\"n sl\"" N_M / KN_M, "Moment of the slewing drive from this sample to the next.", "derived";
+    OMEGA_R_SL: "omega_rsl" "omega_\"r sl\"" RAD_PER_S / DEG_PER_S, "Set point of the continuous slewing controller.", "derived";
+    EPSILON_SL: "epsilon_sl" "epsilon_\"sl\"" RAD / DEG, "Integral of the error of the angular velocity of slewing, as its continuous controller has it.", "derived";
+    E_R_SL: "e_rsl" "e_\"r sl\"" RAD_PER_S / DEG_PER_S, "Error of the angular velocity of slewing: set point of the continuous controller less speed.", "derived";
+    D_OMEGA_R_SL: "der(omega_rsl)" "dot(omega)_\"r sl\"" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of the continuous slewing controller's set point.", "derived";
+    D_EPSILON_SL: "der(epsilon_sl)" "dot(epsilon)_\"sl\"" RAD_PER_S / DEG_PER_S, "Rate of the integral of the error: that error, unless the limit of the moment holds the integral.", "derived";
+    OMEGA_T_SL: "omega_tsl" "omega_\"t sl\"" RAD_PER_S / DEG_PER_S, "Commanded angular velocity to which the set point of the continuous slewing controller is going.", "state";
+    WAY_R_SL: "way_rsl" "w_\"r sl\"" ONE / ONE, "Whether the set point of the continuous slewing controller is at its command (0), or which way it goes (1, -1).", "state";
+    HOLD_SL: "hold_sl" "l_\"sl\"" ONE / ONE, "Whether the moment of the continuous slewing controller is within its limit (0), or at it, with the sign of the moment: the integral waits (1), falls (2), keeps the moment at the limit (3).", "state";
+    Z_SL_RAMP: "z.sl_ramp" "z_24" ONE / ONE, "Falls below zero where the set point of the continuous slewing controller reaches its command.", "event";
+    Z_SL_LIMIT: "z.sl_limit" "z_25" ONE / ONE, "Falls below zero where the moment that the continuous slewing controller asks for meets its limit or comes back within it.", "event";
+    Z_SL_WIND: "z.sl_wind" "z_26" ONE / ONE, "Falls below zero where the integral of the continuous slewing controller begins or ceases to wait at the limit.", "event";
     OMEGA_0_SL: "omega_0sl" "omega_\"0 sl\"" RAD_PER_S / RAD_PER_S, "Natural frequency of all that slews under its controller, undamped.", "derived";
     ZETA_SL: "zeta_sl" "zeta_\"sl\"" ONE / ONE, "Damping ratio of all that slews under its controller.", "derived";
 }
@@ -42,11 +54,18 @@ pub static AXIS: DriveAxis = DriveAxis {
     reversed: false,
 };
 
+/// What it is without a cycle.
+pub static CONTINUOUS: ContinuousAxis = ContinuousAxis {
+    states: [&OMEGA_R_SL, &EPSILON_SL],
+    past: [&OMEGA_T_SL, &WAY_R_SL, &HOLD_SL],
+    law: [&E_R_SL, &M_A_SL],
+};
+
 /// The table of a scene whose slewing has a controller.
 pub const CONTROL: Key = Key::part(TABLE, KEYS, "Controller of slewing, and its command.");
 
 static KEYS: &[Key] = keys! { s:
-    K_P_SL > 0, K_I_SL > 0, T_C_SL > 0, A_SL > 0, M_MAX_SL > 0, OMEGA_C_SL [over_time, optional], PSI_C_SL [over_time, optional],
+    K_P_SL > 0, K_I_SL > 0, T_C_SL > 0 [optional], A_SL > 0, M_MAX_SL > 0, OMEGA_C_SL [over_time, optional], PSI_C_SL [over_time, optional],
     K_PSI_SL > 0 [optional], OMEGA_MAX_SL > 0 [optional]
 };
 

@@ -5,6 +5,8 @@ use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::number::short;
 use crate::kernel::schema::Values;
 use crate::kernel::symbol::Symbol;
+use crate::parts::control::SpeedControl;
+use crate::parts::control::reading::TABLE;
 use crate::parts::hanging::too_short;
 use crate::parts::motion::{Motion, short_step};
 use crate::parts::turntable::{self as joint, SlewingJoint, too_fast};
@@ -12,7 +14,7 @@ use crate::parts::turntable_control::fastest;
 use crate::slewing::coupling::SlipCoupling;
 use crate::slewing::symbols as s;
 
-/// Least time in which friction stops what slews, as a part of that which the working range takes, and of that of a pendulum
+/// Least time in which friction stops what slews, or a continuous controller changes its speed, as a part of that which the working range takes, and of that of a pendulum
 /// as long as reach and rope.
 const BRISKEST: [f64; 2] = [1e-4, 5e-3];
 /// Least inertia of what slews, over that of what does not add to it: a load that swings, the weight that leans.
@@ -23,8 +25,9 @@ const LIGHTEST_DRIVE: f64 = 1e-6;
 const SHORTEST_STEP: f64 = 1e-2;
 
 /// Longest step of the solver where the scene gives none: parts of the time in which friction slows it, of those in which it
-/// swings on its slope and its load on the rope, and of that in which the head moves by its rope's length at the start.
-const LONGEST: [f64; 4] = [0.25, 0.1, 0.1, 0.1];
+/// swings on its slope and its load on the rope, of that in
+/// which the head moves by its rope's length at the start, and of that in which a continuous controller changes the speed.
+const LONGEST: [f64; 5] = [0.25, 0.1, 0.1, 0.1, 0.1];
 /// The same of the run through the working range, or, where that is shorter than a swing of a rope as long as rope and
 /// reach, of its time.
 const LONGEST_IDLE: [f64; 2] = [0.002, 0.01];
@@ -38,6 +41,7 @@ pub struct Slewed<'a> {
     /// Its load swings.
     pub swings: bool,
     pub coupling: Option<SlipCoupling<f64>>,
+    pub control: Option<SpeedControl>,
 }
 
 impl Slewed<'_> {
@@ -85,6 +89,19 @@ impl Slewed<'_> {
         self.joint.turning.j_sl + load
     }
 
+    /// How quickly a continuous controller changes the speed, in s: of the drive alone where its coupling slips.
+    fn regulated(&self) -> f64 {
+        let least = self.coupling.map_or_else(|| self.inertia(), |coupling| coupling.j_d);
+        let time = self.control.and_then(|control| control.quickest(least));
+        time.unwrap_or(f64::INFINITY)
+    }
+
+    /// Time (s) within which nothing may change by itself; see [`BRISKEST`].
+    fn briskest(&self) -> f64 {
+        let [run, swing] = BRISKEST;
+        (run * self.lasts()).max(swing * self.pendulum())
+    }
+
     /// A step (s) that sees all that the motion does; see [`LONGEST`].
     #[must_use]
     pub fn longest(&self) -> f64 {
@@ -98,6 +115,7 @@ impl Slewed<'_> {
             (self.inertia() / stiffness.abs()).sqrt(),
             f64::INFINITY,
             f64::INFINITY,
+            self.regulated(),
         ];
         if self.swings {
             times[2] = (rope / (self.gravity * heavy)).sqrt();
@@ -116,7 +134,14 @@ impl Slewed<'_> {
             .swings
             .then(|| too_short(self.table, rope, (&s::R, reach)))
             .flatten();
-        let refused = [self.brisk(), self.spins(), self.light(), rope, self.short_step()];
+        let refused = [
+            self.brisk(),
+            self.abrupt(),
+            self.spins(),
+            self.light(),
+            rope,
+            self.short_step(),
+        ];
         found.extend(refused.into_iter().flatten());
         found.extend(self.coupling.and_then(|coupling| self.coupled(&coupling)));
     }
@@ -163,8 +188,7 @@ impl Slewed<'_> {
     /// Friction that stops at once what slews.
     fn brisk(&self) -> Option<Diagnostic> {
         let time = self.inertia() / self.joint.turning.c_sl;
-        let [run, swing] = BRISKEST;
-        let least = (run * self.lasts()).max(swing * self.pendulum());
+        let ([run, swing], least) = (BRISKEST, self.briskest());
         (time < least).then(|| {
             let what = format!(
                 "c_sl = {} stops all that slews within {} s",
@@ -177,6 +201,28 @@ impl Slewed<'_> {
                 short(least)
             );
             self.table.refuse(joint::C_SL.id, what, "too much", help)
+        })
+    }
+
+    /// Gains of a continuous controller that change the speed at once.
+    fn abrupt(&self) -> Option<Diagnostic> {
+        let ([run, swing], least, time) = (BRISKEST, self.briskest(), self.regulated());
+        let [k_p, k_i, cycle, ..] = self.control?.axis.settings;
+        (time < least).then(|| {
+            let table = self.table.table(TABLE).unwrap_or(self.table);
+            let what = format!("a continuous controller that changes the speed within {} s", short(time));
+            let help = format!(
+                "give less {} and {}: J/{} and √(J/{}) of {} s and more are modelled, {run:e} of the time of the working range and \
+                 {swing} of √((R + l_R)/g), where J is the inertia of what slews, of the drive's side of a coupling that slips; \
+                 or add {} = \"20 ms\", the cycle of a sampled one",
+                k_p.id,
+                k_i.id,
+                k_p.id,
+                k_i.id,
+                short(least),
+                cycle.id
+            );
+            table.refuse(k_p.id, what, "too much", help)
         })
     }
 

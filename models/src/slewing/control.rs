@@ -4,10 +4,11 @@ use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 use crate::kernel::variable::Fault;
+use crate::parts::control::continuous::{Ordered, Regime, Regulating};
 use crate::parts::control::{Latched, SpeedControl};
 use crate::parts::turntable::Turning;
-use crate::slewing::coupling::{DriveSide, SlipCoupling};
-use crate::slewing::motion::SlewingDrive;
+use crate::slewing::coupling::{DriveRates, DriveSide, SlipCoupling};
+use crate::slewing::motion::{SlewingDrive, Turned};
 use crate::slewing::swinging::SwingingLoad;
 use crate::slewing::symbols as s;
 
@@ -22,12 +23,85 @@ impl<C: Calc> Controlled<C> {
     }
 }
 
-/// The drive: its moment as given, or as the controller holds it.
-pub fn acting<C: Calc>(given: &SlewingDrive<C>, held: &Option<Latched<C>>) -> SlewingDrive<C> {
-    held.map_or(*given, |held| SlewingDrive {
-        m_sl: held.moment,
-        ..*given
-    })
+/// What the continuous controller gives.
+#[derive(Clone, Copy, Debug)]
+pub struct Regulation<C>(pub Ordered<C>);
+results! { Regulation as r => { E_R_SL: r.0.error; M_A_SL: r.0.asked; M_SL: r.0.moment; } }
+
+impl<C: Calc> Regulation<C> {
+    /// At an angular velocity (rad/s), the drive's where a coupling may part it from what slews.
+    pub fn new(
+        control: &SpeedControl<C>,
+        state: &Regulating<C>,
+        past: &Regime<C>,
+        side: &Option<DriveSide<C>>,
+        omega: &One<C>,
+    ) -> Regulation<C> {
+        let ordered = control.order(state, past, speed(side, omega));
+        Regulation(Ordered {
+            moment: ordered.moment.def(&s::M_SL),
+            ..ordered
+        })
+    }
+}
+
+/// What the controller has the speed of, in rad/s: the drive.
+pub fn speed<C: Calc>(side: &Option<DriveSide<C>>, omega: &One<C>) -> C {
+    side.map_or(omega.1, |side| side.omega_d)
+}
+
+/// Its acceleration, in rad/s².
+pub fn accelerated<C: Calc>(turned: &Turned<C>, coupled: Option<&DriveRates<C>>) -> C {
+    coupled.map_or(turned.acceleration, |coupled| coupled.acceleration)
+}
+
+/// Rates of the continuous controller's states.
+#[derive(Clone, Copy, Debug)]
+pub struct Winding<C>([C; 2]);
+results! { Winding as w => { D_OMEGA_R_SL: w.0[0]; D_EPSILON_SL: w.0[1]; } }
+
+impl<C: Calc> Winding<C> {
+    pub fn new(
+        control: &SpeedControl<C>,
+        past: &Regime<C>,
+        regulation: &Regulation<C>,
+        turned: &Turned<C>,
+        coupled: Option<&DriveRates<C>>,
+    ) -> Winding<C> {
+        let [set, integral] = control.winding(past, &regulation.0, accelerated(turned, coupled));
+        Winding([set.def(&s::D_OMEGA_R_SL), integral.def(&s::D_EPSILON_SL)])
+    }
+}
+
+/// What falls below zero where a smooth piece of the continuous controller's law ends.
+#[derive(Clone, Copy, Debug)]
+pub struct ControlEvents<C>([C; 3]);
+results! { ControlEvents as e => { Z_SL_RAMP: e.0[0]; Z_SL_LIMIT: e.0[1]; Z_SL_WIND: e.0[2]; } }
+
+impl<C: Calc> ControlEvents<C> {
+    pub fn new(
+        control: &SpeedControl<C>,
+        commanded: &One<C>,
+        state: &Regulating<C>,
+        past: &Regime<C>,
+        regulation: &Regulation<C>,
+        turned: &Turned<C>,
+        coupled: Option<&DriveRates<C>>,
+    ) -> ControlEvents<C> {
+        let acceleration = accelerated(turned, coupled);
+        ControlEvents(control.regulates_until(state, past, commanded.1, &regulation.0, acceleration))
+    }
+}
+
+/// The drive: its moment as given, as the controller holds it, or as the continuous one gives it.
+pub fn acting<C: Calc>(
+    given: &SlewingDrive<C>,
+    held: &Option<Latched<C>>,
+    regulation: Option<&Regulation<C>>,
+) -> SlewingDrive<C> {
+    let held = held.as_ref().map(|held| held.moment);
+    let moment = held.or_else(|| regulation.map(|regulation| regulation.0.moment));
+    moment.map_or(*given, |m_sl| SlewingDrive { m_sl, ..*given })
 }
 
 /// What the controller moves, in kg·m²: without the load where that swings.
@@ -56,10 +130,7 @@ pub fn sampled<C: Calc>(
     let least = coupling.map_or_else(|| moved(turning, swung, total), |coupling| coupling.j_d);
     match control.swings_up(least.value()) {
         Some([what, help]) => Err(Fault::outside(format!("{what}: {help}"))),
-        None => {
-            let speed = side.map_or(omega.1, |side| side.omega_d);
-            Ok(control.sample(held, commanded, [psi.1, speed]))
-        }
+        None => Ok(control.sample(held, commanded, [psi.1, speed(side, omega)])),
     }
 }
 

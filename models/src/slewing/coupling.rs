@@ -140,7 +140,7 @@ pub fn passing<C: Calc>(
 #[derive(Clone, Copy, Debug)]
 pub struct DriveRates<C> {
     braking: C,
-    acceleration: C,
+    pub(super) acceleration: C,
     slipping: C,
     power: C,
     energy: C,

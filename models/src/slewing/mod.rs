@@ -22,6 +22,7 @@
 //! | `slewing.steady` | [`turning::Steady::new`] | Ports001, 6.4 |
 //! | `slewing.circle` | [`turning::Circling::new`] | mechanics |
 //! | `slewing.control` | [`control::Regulated::new`], [`control::acting`] | sampled PI control |
+//! | `slewing.regulation` | [`control::Regulation::new`], [`control::Winding::new`], [`control::ControlEvents::new`] | continuous PI control |
 //! | `slewing.friction` | [`motion::resisting`] | Ports001, 6.5 |
 //! | `slewing.motion` | [`motion::Turned::new`] | Ports001, 6.5 |
 //! | `slewing.coupling` | [`coupling::passed_on`], [`coupling::passing`], [`coupling::DriveRates::new`] | Ports001, 6.5.4 |

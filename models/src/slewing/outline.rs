@@ -17,10 +17,12 @@ pub const OUTLINE: Outline = Outline {
         ("slewing_steady", &[Stage("steady")]),
         ("slewing_circle", &[Stage("circling")]),
         ("slewing_control", &[Stage("sampled")]),
+        ("slewing_regulation", &[Stage("regulation")]),
         ("motion_air", &[Stage("stream")]),
         ("slewing_swing", &[Stage("leaning"), Stage("swinging")]),
         ("slewing_motion", &[Stage("resisting"), Stage("turned")]),
         ("slewing_coupling", &[Stage("passing"), Stage("coupled")]),
+        ("slewing_winding", &[Stage("winding")]),
     ],
     table: listed!(s: M_GAMMA, M_ST, P_ST, F_N, M_R_SL, D_OMEGA_SL, F_T, S_R),
     curves: &[

@@ -21,13 +21,14 @@ use crate::kernel::sign::Sign;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Fault;
 use crate::parts::air::{self, AIR, AirAround, WindAtLoad, around};
+use crate::parts::control::continuous::{Regime, Regulating};
 use crate::parts::control::{Latched, SpeedControl, taken};
 use crate::parts::hanging::{self, HangingLoad};
 use crate::parts::motion::Motion;
 use crate::parts::plane::Point;
 use crate::parts::shaping;
 use crate::parts::turntable::{self as joint, SlewingJoint};
-use crate::parts::turntable_control::{self, AXIS, CONTROL};
+use crate::parts::turntable_control::{self, AXIS, CONTINUOUS, CONTROL};
 use crate::slewing::bounds::Slewed;
 use crate::slewing::coupling::{DriveSide, SlipCoupling, SlipPast};
 use crate::slewing::motion::{Past, SlewingDrive, Stops};
@@ -188,6 +189,17 @@ fn driven(
     Some((controlled, coupling))
 }
 
+/// What a controller holds that has held an angular velocity (rad/s) so far: one that is sampled, or one that is continuous.
+fn steady(control: Option<SpeedControl>, omega: f64) -> (Option<Latched>, (Option<Regulating>, Option<Regime>)) {
+    let Some(control) = control else {
+        return (None, (None, None));
+    };
+    if control.cycle().is_some() {
+        return (Some(Latched::steady(&control, omega)), (None, None));
+    }
+    (None, Some(Regulating::steady(&CONTINUOUS, omega)).unzip())
+}
+
 /// What the scene makes an input.
 fn open(v: &Values) -> Open {
     let both = [&s::R, &s::Q].into_iter();
@@ -248,6 +260,7 @@ impl Described for SlewingScene {
             gravity,
             swings,
             coupling,
+            control,
         };
         if moves {
             slewed.check(found);
@@ -255,6 +268,7 @@ impl Described for SlewingScene {
         if found.len() > before {
             return None;
         }
+        let (latched, (regulating, regime)) = steady(control, range.speed);
         let given = Given {
             psi: One(&s::PSI_SL, range.from),
             omega: One(&s::OMEGA_SL, range.speed),
@@ -269,10 +283,7 @@ impl Described for SlewingScene {
                 m_sl: n(s::M_SL.id),
                 m_b_sl: n(s::M_B_SL.id),
             }),
-            swung: swings.then(|| {
-                let angles = [n(s::PHI_R.id), n(s::CHI_R.id)];
-                HangingLoad::resting(n(s::L_R.id), angles).into()
-            }),
+            swung: swings.then(|| HangingLoad::resting(n(s::L_R.id), [&s::PHI_R, &s::CHI_R].map(|a| n(a.id))).into()),
             rope: RopeLength::read(v).filter(|_| swings),
             around,
             blowing,
@@ -282,7 +293,9 @@ impl Described for SlewingScene {
             slipping: coupling.map(|_| SlipPast { slip: 0.0, way_d: 1.0 }),
             control,
             commanded,
-            latched: control.map(|control| Latched::steady(&control, range.speed)),
+            latched,
+            regulating,
+            regime,
             past: Past { way: 1.0, blown: 0.0 },
             stops: Stops(joint.stops),
             open: open(v),
@@ -316,6 +329,7 @@ impl Described for SlewingScene {
         if level == "static" {
             self.given.driven = None;
             (self.given.control, self.given.commanded, self.given.latched) = (None, None, None);
+            (self.given.regulating, self.given.regime) = (None, None);
             (self.given.coupling, self.given.side, self.given.slipping) = (None, None, None);
         }
     }
@@ -343,6 +357,15 @@ impl Described for SlewingScene {
         }
         if let Some(latched) = &mut resting.own.given.latched {
             latched.set = this.start[1];
+        }
+        if let Some((state, past)) = resting
+            .own
+            .given
+            .regulating
+            .as_mut()
+            .zip(resting.own.given.regime.as_mut())
+        {
+            (state.set, past.target) = (this.start[1], this.start[1]);
         }
         Some(MovingComponent::new(resting.standing(), |model| {
             let own = SmoothPieces::new(model, &this.start, this.step)?;
@@ -419,6 +442,9 @@ impl Described for SlewingScene {
         }
         if let Some(latched) = &self.given.latched {
             latched.map(&mut |symbol, value| stands("latched", symbol, value));
+        }
+        if let Some(state) = &self.given.regulating {
+            state.map(&mut |symbol, value| stands("latched", symbol, value));
         }
     }
 

@@ -6,13 +6,16 @@ use crate::kernel::group::{One, group};
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Variable;
 use crate::parts::air::{AirAround, Stream, WindAtLoad};
+use crate::parts::control::continuous::{Regime, Regulating};
 use crate::parts::control::{Latched, SpeedControl};
 use crate::parts::hanging::HangingLoad;
 use crate::parts::joint::{Arrival, Bar, Joint};
 use crate::parts::turntable::Turning;
 use crate::slewing::air::{FeltAir, stream};
 use crate::slewing::blows::SwungInstant;
-use crate::slewing::control::{Controlled, Regulated, acting, sampled};
+use crate::slewing::control::{
+    ControlEvents, Controlled, Regulated, Regulation, Winding, accelerated, acting, sampled, speed,
+};
 use crate::slewing::coupled_sides::{CoupledSides, CouplingEvents, needs};
 use crate::slewing::coupling::{
     DriveRates, DriveSide, SlipCoupling, SlipPast, all_along, carried_along, passed_on, passing,
@@ -41,9 +44,11 @@ stages! {
         Input commanded: Option<One<C>>,
         Parameter coupling: Option<SlipCoupling<C>>,
         State side: Option<DriveSide<C>>,
+        State regulating: Option<Regulating<C>>,
         Memory slipping: Option<SlipPast<C>>,
         Memory past: Past<C>,
         Memory slackness: Option<Slackness<C>>,
+        Memory regime: Option<Regime<C>>,
         Latch latched: Option<Latched<C>>,
         Fixed stops: Stops,
         Fixed open: Open,
@@ -59,7 +64,8 @@ stages! {
         sampled: Latched<C> = sampled(
             control[!], commanded[!], latched[!], bound, swung, whole, coupling, side, psi, omega) => _;
         controlled: Controlled<C> = Controlled::new(latched[!]);
-        motor: SlewingDrive<C> = acting(driven[!], latched) => _;
+        regulation: Regulation<C> = Regulation::new(control[!], regulating[!], regime[!], side, omega), decided;
+        motor: SlewingDrive<C> = acting(driven[!], latched, regulation[?]) => _;
         drive: SlewingDrive<C> = passed_on(motor, coupling, slipping) => _;
         leaning: C = leaning(slope[!], swung[!], psi) => M_GAMMA_U;
         stream: Stream<C> = stream(around[!], blowing[!], hung, psi) => _;
@@ -75,11 +81,14 @@ stages! {
             motor, coupling[!], slipping[!], turning, past, stops, tilt[?], led[?], turned, psi) => M_CD, decided;
         coupled: DriveRates<C> = DriveRates::new(
             motor, coupling[!], slipping[!], side[!], passing, turned, omega), decided;
+        winding: Winding<C> = Winding::new(control[!], regime[!], regulation, turned, coupled[?]), decided;
         struck: C = struck(driven[!], past) => W_BLOW;
         events: SlewingEvents<C> = SlewingEvents::new(turning, drive, past, stops, tilt[?], led[?], psi, omega);
         slackening: C = slackening(swinging, rope[!], slackness[!]) => Z_ROPE;
         parting: CouplingEvents<C> = CouplingEvents::new(
             motor, coupling[!], slipping[!], side[!], passing, omega), decided;
+        regulated_until: ControlEvents<C> = ControlEvents::new(
+            control[!], commanded[!], regulating[!], regime[!], regulation, turned, coupled[?]), decided;
     }
 }
 
@@ -105,11 +114,13 @@ impl Component for SlewingCrane {
             &s::D_V_QZ,
             &s::D_OMEGA_D,
             &s::D_PSI_SLIP,
+            &s::D_OMEGA_R_SL,
+            &s::D_EPSILON_SL,
         ],
     ];
 
-    const INDICATORS: &'static [&'static Symbol] =
-        listed!(s: Z_SL_REST, Z_SL_LOOSE, Z_SL_LOW, Z_SL_HIGH, Z_ROPE, Z_D_REST, Z_D_LOOSE, Z_C_REST, Z_C_LOOSE);
+    const INDICATORS: &'static [&'static Symbol] = listed!(s: Z_SL_REST, Z_SL_LOOSE, Z_SL_LOW, Z_SL_HIGH, Z_ROPE, Z_D_REST, Z_D_LOOSE, Z_C_REST, Z_C_LOOSE, Z_SL_RAMP,
+        Z_SL_LIMIT, Z_SL_WIND);
 
     const PORTS: &'static [Port] = ports! { s:
         shaft "Slewing axis." [tau]: phi PSI_SL, w OMEGA_SL, tau M_SL;
@@ -127,12 +138,16 @@ impl Component for SlewingCrane {
 
     fn list(given: &Given<f64>, variable: &mut Variable) -> u8 {
         let held = [&s::M_SL, &s::OMEGA_S_SL, &s::M_I_SL];
-        variable.at_events = given.control.is_some() && held.contains(&variable.symbol);
+        variable.at_events = if given.regulating.is_some() {
+            variable.symbol == &s::OMEGA_C_SL
+        } else {
+            given.control.is_some() && held.contains(&variable.symbol)
+        };
         0
     }
 
     fn cycle(given: &Given<f64>) -> Option<f64> {
-        given.control.map(|control| control.cycle())
+        given.control.and_then(|control| control.cycle())
     }
 
     fn latch(known: &mut Known<f64>) -> Found<()> {
@@ -155,7 +170,7 @@ impl Component for SlewingCrane {
             return Ok(false);
         }
         let joint = joint(&known.given.turning, &known.given.stops);
-        let (start, mut blown) = (instant(known)?, 0.0);
+        let (start, mut blown, mut put_there) = (instant(known)?, 0.0, false);
         let mut now = start;
         if let Some(coupled) = &mut now.coupled {
             coupled.begin(start.omega);
@@ -165,6 +180,7 @@ impl Component for SlewingCrane {
             known.past().way = 0.0;
         }
         for _ in 0..MOST_CHANGES {
+            put_there |= regulate(known)?;
             let before = instant(known)?;
             let mut now = before;
             match joint.arrival(now.bar, [*known.given.psi, now.omega]) {
@@ -200,8 +216,33 @@ impl Component for SlewingCrane {
         }
         let end = instant(known)?;
         let speed = |at: &SwungInstant| at.coupled.map(|coupled| coupled.omega);
-        Ok(end.omega != start.omega || end.load != start.load || speed(&end) != speed(&start))
+        Ok(put_there || end.omega != start.omega || end.load != start.load || speed(&end) != speed(&start))
     }
+}
+
+/// What follows for the continuous controller; whether a state of it jumped.
+fn regulate(known: &mut Known<f64>) -> Found<bool> {
+    let (Some(control), Some(before)) = (known.given.control, known.given.regulating.zip(known.given.regime)) else {
+        return Ok(false);
+    };
+    let coupled = known
+        .given
+        .coupling
+        .is_some()
+        .then(|| known.coupled().copied())
+        .transpose()?;
+    let acceleration = accelerated(known.turned()?, coupled.as_ref());
+    let given = &known.given;
+    let commanded = given.commanded.as_ref().map_or(0.0, |commanded| commanded.1);
+    let (state, past) = control.decided(before, commanded, [speed(&given.side, &given.omega), acceleration]);
+    let jumped = state != before.0;
+    if jumped {
+        *known.regulating() = Some(state);
+    }
+    if past != before.1 {
+        *known.regime() = Some(past);
+    }
+    Ok(jumped)
 }
 
 /// What is held, and whether it breaks loose: all that slews, then its coupling and its drive.

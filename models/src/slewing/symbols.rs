@@ -9,7 +9,10 @@ pub use crate::parts::hanging::{
 pub use crate::parts::turntable::{
     CHI_R, D_OMEGA_SL, D_PSI_SL, M_B_SL, M_R_SL, M_SL, OMEGA_SL, PSI_SL, Z_SL_HIGH, Z_SL_LOOSE, Z_SL_LOW, Z_SL_REST,
 };
-pub use crate::parts::turntable_control::{M_I_SL, OMEGA_0_SL, OMEGA_C_SL, OMEGA_S_SL, ZETA_SL};
+pub use crate::parts::turntable_control::{
+    D_EPSILON_SL, D_OMEGA_R_SL, E_R_SL, M_A_SL, M_I_SL, OMEGA_0_SL, OMEGA_C_SL, OMEGA_S_SL, Z_SL_LIMIT, Z_SL_RAMP,
+    Z_SL_WIND, ZETA_SL,
+};
 
 symbols! {
     // Given.

@@ -1,12 +1,13 @@
-//! A controller as a PLC runs it: proportional and integral, sampled, its set point on a ramp, its moment limited. At every
-//! multiple of its cycle it reads place and speed of an axis; until the next one its moment holds. It follows a commanded speed,
-//! or goes to a commanded place at a speed from which it can stop there.
+//! A controller: proportional and integral, its set point on a ramp, its moment limited. As a PLC runs it, it reads place and
+//! speed of an axis at every multiple of its cycle; until the next one its moment holds. It follows a commanded speed, or goes
+//! to a commanded place at a speed from which it can stop there. Without a cycle it is [`continuous`], by the same law.
 
 use crate::kernel::calc::Calc;
 use crate::kernel::group::{One, by_map};
 use crate::kernel::number::short;
 use crate::kernel::symbol::Symbol;
 
+pub mod continuous;
 pub mod reading;
 
 /// A controlled axis: what its quantities are called.
@@ -34,8 +35,8 @@ pub struct SpeedControl<C = f64> {
     pub axis: &'static DriveAxis,
     /// Moment over the error of the speed and over the integral of it; in N·m·s and N·m of an axis that turns.
     gains: [C; 2],
-    /// From sample to sample, in s.
-    cycle: C,
+    /// From sample to sample, in s; none of one that is continuous.
+    cycle: Option<C>,
     /// Greatest acceleration of the set point.
     ramp: C,
     /// Greatest moment by amount, in N·m.
@@ -61,7 +62,7 @@ impl<C: Copy> SpeedControl<C> {
         SpeedControl {
             axis: self.axis,
             gains: [f(k_p, self.gains[0]), f(k_i, self.gains[1])],
-            cycle: f(t_c, self.cycle),
+            cycle: self.cycle.map(|cycle| f(t_c, cycle)),
             ramp: f(a, self.ramp),
             limit: f(m_max, self.limit),
             approach: self.approach.map(|[k, most]| [f(first, k), f(second, most)]),
@@ -94,7 +95,22 @@ fn limited<C: Calc>(x: C, limit: C) -> C {
     }
 }
 
+/// Whether a moment that is asked for grows with an error (anti-windup by clamping: beyond the limit the integral then waits).
+fn pushes(asked: f64, error: f64) -> bool {
+    (asked > 0.0) == (error > 0.0)
+}
+
 impl<C: Calc> SpeedControl<C> {
+    /// e = v_s − v, turned round where a positive moment turns the axis backwards.
+    fn error(&self, set: C, speed: C) -> C {
+        if self.axis.reversed { speed - set } else { set - speed }
+    }
+
+    /// K_p e + M_i, in N·m.
+    fn asked(&self, error: C, integral: C) -> C {
+        self.gains[0] * error + integral
+    }
+
     /// v_w = sgn(e_x) min(K_x |e_x|, √(2 a |e_x|), v_max): the speed at which to go to a place.
     fn wanted(&self, [k, most]: [C; 2], commanded: C, place: C) -> C {
         let [left, wanted, ..] = self.axis.sample;
@@ -108,26 +124,28 @@ impl<C: Calc> SpeedControl<C> {
 
     /// v_n = v_s ± a T_c towards v_c, e = v_n − v, M_n = K_p e + M_i within ±M_max; M_i grows by K_i T_c e unless the moment is
     /// at its limit and the error asks for more (anti-windup by clamping).
+    ///
+    /// # Panics
+    /// For a controller that is continuous.
     pub fn sample(&self, held: &Latched<C>, commanded: &One<C>, [place, speed]: [C; 2]) -> Latched<C> {
+        let cycle = self.cycle.expect("it is sampled");
         let commanded = match self.approach {
             Some(approach) => self.wanted(approach, commanded.1, place),
             None => commanded.1,
         };
         let [_, _, set_n, e_n, m_a, m_in, m_n] = self.axis.sample;
-        let most = self.ramp * self.cycle;
+        let most = self.ramp * cycle;
         let set = match (commanded - held.set).value() {
             rise if rise > most.value() => held.set + most,
             fall if fall < -most.value() => held.set - most,
             _ => commanded,
         };
         let set = set.def(set_n);
-        let error = if self.axis.reversed { speed - set } else { set - speed };
-        let error = error.def(e_n);
-        let [proportional, integral] = self.gains;
-        let asked = (proportional * error + held.integral).def(m_a);
+        let error = self.error(set, speed).def(e_n);
+        let asked = self.asked(error, held.integral).def(m_a);
         let beyond = asked.value().abs() > self.limit.value();
-        let winds = beyond && (asked.value() > 0.0) == (error.value() > 0.0);
-        let grown = || (held.integral + integral * self.cycle * error).def(m_in);
+        let winds = beyond && pushes(asked.value(), error.value());
+        let grown = || (held.integral + self.gains[1] * cycle * error).def(m_in);
         Latched {
             axis: self.axis,
             set,
@@ -137,11 +155,12 @@ impl<C: Calc> SpeedControl<C> {
     }
 
     /// What is wrong, and what to do, where a speed swings up under its samples: eigenvalues of z² − (2 − p) z + 1 − p + q beyond
-    /// the unit circle, where p = K_p T_c/J and q = K_i T_c²/J, with moment over acceleration J.
+    /// the unit circle, where p = K_p T_c/J and q = K_i T_c²/J, with moment over acceleration J. Without samples none does.
     #[must_use]
     pub fn swings_up(&self, inertia: f64) -> Option<[String; 2]> {
-        let [p, q] = self.gains.map(|gain| (gain * self.cycle).value() / inertia);
-        let q = q * self.cycle.value();
+        let cycle = self.cycle?;
+        let [p, q] = self.gains.map(|gain| (gain * cycle).value() / inertia);
+        let q = q * cycle.value();
         if q < p && 2.0 * p - q < 4.0 {
             return None;
         }
@@ -149,7 +168,7 @@ impl<C: Calc> SpeedControl<C> {
         Some([
             format!(
                 "samples every {} under which a speed swings up",
-                t_c.written(self.cycle.value())
+                t_c.written(cycle.value())
             ),
             format!(
                 "give a shorter cycle, or other gains: stable is {i} {t} < {p} with 2 {p} {t} < 4 J + {i} {t}^2, where J = {} in \
@@ -174,12 +193,15 @@ impl<C: Calc> SpeedControl<C> {
 
 /// Ids of what a model takes for granted of controllers.
 pub fn taken<'a>(controls: impl Iterator<Item = &'a SpeedControl> + Clone) -> impl Iterator<Item = &'static str> {
-    let first = controls.clone().next().map(|_| "control");
+    let all = || controls.clone();
+    let first = all().find_map(|control| control.cycle).map(|_| "control");
+    let continuous = all().find(|control| control.cycle.is_none());
+    let continuous = continuous.map(|_| "control_continuous");
     let to_place = controls
         .clone()
         .find_map(|control| control.approach)
         .map(|_| "control_to_place");
-    first.into_iter().chain(to_place)
+    first.into_iter().chain(continuous).chain(to_place)
 }
 
 impl Latched {
@@ -196,9 +218,9 @@ impl Latched {
 }
 
 impl SpeedControl {
-    /// From sample to sample, in s.
+    /// From sample to sample, in s; `None` of one that is continuous.
     #[must_use]
-    pub fn cycle(&self) -> f64 {
+    pub fn cycle(&self) -> Option<f64> {
         self.cycle
     }
 

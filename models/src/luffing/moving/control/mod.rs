@@ -69,7 +69,7 @@ impl<G> ByAxis<G> {
 /// The cycle of the PLC that samples them, in s.
 #[must_use]
 pub fn cycle(control: &ByAxis<SpeedControl>) -> Option<f64> {
-    control.0.iter().flatten().map(SpeedControl::cycle).next()
+    control.0.iter().flatten().find_map(SpeedControl::cycle)
 }
 
 /// One sample of each, at the driven bar's angle (rad) and angular velocity (rad/s) and other states.

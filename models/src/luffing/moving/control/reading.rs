@@ -18,28 +18,39 @@ pub struct Controllers {
     pub commanded: ByAxis<One<f64>>,
 }
 
+/// Refuses a controller that is not sampled.
+fn continuous(table: &Values, control: &SpeedControl) -> Diagnostic {
+    let id = control.axis.settings[2].id;
+    let what = format!("a controller without its cycle {id}");
+    let help = format!("add {id} = \"20 ms\": drives of a crane that luffs have sampled controllers");
+    table.refuse(id, what, "needed here", help)
+}
+
 impl Controllers {
     /// Those in the tables of luffing, slewing and hoist, each with that of its drive; `None` where there is none.
     ///
     /// # Errors
-    /// As [`SpeedControl::read`]; two cycles, as one PLC samples all drives.
+    /// As [`SpeedControl::read`]; a controller without a cycle; two cycles, as one PLC samples all drives.
     pub fn read(tables: [Option<[&Values; 2]>; 3]) -> Result<Option<Controllers>, Diagnostic> {
         let (mut control, mut commanded) = (ByAxis([None; 3]), ByAxis([None; 3]));
-        let mut first: Option<SpeedControl> = None;
+        let mut first: Option<(SpeedControl, f64)> = None;
         for (i, (axis, tables)) in AXES.into_iter().zip(tables).enumerate() {
             let Some([table, drive]) = tables else { continue };
             let Some((own, command)) = SpeedControl::read(axis, table, drive)? else {
                 continue;
             };
-            let other = |known: &SpeedControl| (known.cycle() - own.cycle()).abs() > SAME * own.cycle();
-            if let Some(known) = first.filter(other) {
+            let Some(cycle) = own.cycle() else {
+                return Err(continuous(table.table(TABLE).unwrap_or(table), &own));
+            };
+            let other = |known: &(SpeedControl, f64)| (known.1 - cycle).abs() > SAME * cycle;
+            if let Some((known, than_cycle)) = first.filter(other) {
                 let [of, than] = [&own, &known].map(|it| it.axis.settings[2]);
                 let what = format!(
                     "{} = {} beside {} = {}",
                     of.id,
-                    of.written(own.cycle()),
+                    of.written(cycle),
                     than.id,
-                    than.written(known.cycle())
+                    than.written(than_cycle)
                 );
                 let help = "one PLC samples all drives: give its cycle to each of them";
                 return Err(table
@@ -47,7 +58,7 @@ impl Controllers {
                     .unwrap_or(table)
                     .refuse(of.id, what, "two cycles", help));
             }
-            first = first.or(Some(own));
+            first = first.or(Some((own, cycle)));
             (control.0[i], commanded.0[i]) = (Some(own), Some(command));
         }
         Ok(first.map(|_| Controllers { control, commanded }))

@@ -1,0 +1,281 @@
+//! A controller that is not sampled: the law of [`SpeedControl::sample`] as its cycle goes to zero. Set point and integral of the
+//! error are states. The command acts at events only, so that the set point goes to it at its greatest acceleration and
+//! stays there.
+//!
+//! At the limit the sampled rule, by which the integral waits while the error asks for more, has three limits: it waits; it
+//! falls, since the error asks for less; or it would wait and go on by turns, and then it keeps the moment that is asked for at
+//! the limit (sliding, Filippov).
+
+use crate::kernel::calc::Calc;
+use crate::kernel::group::by_map;
+use crate::kernel::symbol::Symbol;
+use crate::parts::control::{SpeedControl, pushes};
+use crate::parts::joint::{LOOSE, above_zero};
+
+/// How far from its limit, as a part of it, a moment may be found where an importer has located that it meets it.
+const NEAR: f64 = 1e-6;
+
+/// What the quantities of a continuous controller are called.
+#[derive(Debug, PartialEq)]
+pub struct ContinuousAxis {
+    /// Set point, and integral of the error.
+    pub states: [&'static Symbol; 2],
+    /// Command to which the set point goes, which way, and how the limit has the moment.
+    pub past: [&'static Symbol; 3],
+    /// Error, and moment asked for.
+    pub law: [&'static Symbol; 2],
+}
+
+/// Its states.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Regulating<C = f64> {
+    pub axis: &'static ContinuousAxis,
+    /// In the unit of the speed.
+    pub set: C,
+    /// In the unit of the place.
+    pub integral: C,
+}
+
+/// What happened before.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Regime<C = f64> {
+    pub axis: &'static ContinuousAxis,
+    /// Command to which the set point goes.
+    pub target: C,
+    /// 1, −1, or 0 where it is there.
+    pub way: C,
+    /// How the limit has the moment: 0 within it, else a number with the sign of the moment.
+    pub hold: C,
+}
+
+impl<C: Copy> Regulating<C> {
+    /// The same over another scalar.
+    pub fn map<D>(&self, f: &mut dyn FnMut(&'static Symbol, C) -> D) -> Regulating<D> {
+        let [set, integral] = self.axis.states;
+        Regulating {
+            axis: self.axis,
+            set: f(set, self.set),
+            integral: f(integral, self.integral),
+        }
+    }
+}
+
+impl<C: Copy> Regime<C> {
+    /// The same over another scalar.
+    pub fn map<D>(&self, f: &mut dyn FnMut(&'static Symbol, C) -> D) -> Regime<D> {
+        let [target, way, hold] = self.axis.past;
+        Regime {
+            axis: self.axis,
+            target: f(target, self.target),
+            way: f(way, self.way),
+            hold: f(hold, self.hold),
+        }
+    }
+}
+
+by_map!(Regulating: 2);
+by_map!(Regime: 3);
+
+/// How the limit has the moment, with the sign of the moment where it does.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Hold {
+    /// It is within the limit.
+    Free,
+    /// The integral waits.
+    Waits(f64),
+    /// The error asks for less: the integral goes on.
+    Falls(f64),
+    /// The integral keeps what is asked for at the limit.
+    Stays(f64),
+}
+
+impl Hold {
+    fn of(number: f64) -> Hold {
+        match (number.abs(), number.signum()) {
+            (1.0, sign) => Hold::Waits(sign),
+            (2.0, sign) => Hold::Falls(sign),
+            (3.0, sign) => Hold::Stays(sign),
+            _ => Hold::Free,
+        }
+    }
+
+    fn number(self) -> f64 {
+        match self {
+            Hold::Free => 0.0,
+            Hold::Waits(sign) => sign,
+            Hold::Falls(sign) => 2.0 * sign,
+            Hold::Stays(sign) => 3.0 * sign,
+        }
+    }
+}
+
+/// What it gives now.
+#[derive(Clone, Copy, Debug)]
+pub struct Ordered<C> {
+    pub error: C,
+    /// Before the limit, in N·m.
+    pub asked: C,
+    /// In N·m.
+    pub moment: C,
+}
+
+impl Regulating {
+    /// With a set point and no moment yet, and that nothing has happened.
+    #[must_use]
+    pub fn steady(axis: &'static ContinuousAxis, set: f64) -> (Regulating, Regime) {
+        let state = Regulating {
+            axis,
+            set,
+            integral: 0.0,
+        };
+        let past = Regime {
+            axis,
+            target: set,
+            way: 0.0,
+            hold: 0.0,
+        };
+        (state, past)
+    }
+}
+
+impl<C: Calc> SpeedControl<C> {
+    /// e = v_s − v, M_a = K_p e + K_i ∫e dt, M within ±M_max.
+    pub fn order(&self, state: &Regulating<C>, past: &Regime<C>, speed: C) -> Ordered<C> {
+        let [e, m_a] = state.axis.law;
+        let error = self.error(state.set, speed).def(e);
+        let asked = self.asked(error, self.gains[1] * state.integral).def(m_a);
+        let moment = match Hold::of(past.hold.value()) {
+            Hold::Free => asked.over(self.limit),
+            Hold::Waits(sign) | Hold::Falls(sign) | Hold::Stays(sign) => (C::constant(sign) * self.limit).over(asked),
+        };
+        Ordered { error, asked, moment }
+    }
+
+    /// Rate of the set point.
+    fn moves(&self, past: &Regime<C>) -> C {
+        match past.way.value() {
+            0.0 => C::constant(0.0),
+            way => C::constant(way) * self.ramp,
+        }
+    }
+
+    /// Rate of the error, where what it regulates has an acceleration.
+    fn drifts(&self, past: &Regime<C>, acceleration: C) -> C {
+        self.error(self.moves(past), acceleration)
+    }
+
+    /// Rates of set point and integral: ±a or 0; e, or 0 where it waits, or −K_p ė/K_i where it keeps the moment at the limit.
+    pub fn winding(&self, past: &Regime<C>, ordered: &Ordered<C>, acceleration: C) -> [C; 2] {
+        let [proportional, integral] = self.gains;
+        let grows = match Hold::of(past.hold.value()) {
+            Hold::Free | Hold::Falls(_) => ordered.error,
+            Hold::Waits(_) => C::constant(0.0),
+            Hold::Stays(_) => -(proportional / integral) * self.drifts(past, acceleration),
+        };
+        [self.moves(past), grows]
+    }
+
+    /// Fall below zero where the set point is at its command (or that is another), the moment meets or leaves its limit, and
+    /// where what the integral does there ends otherwise.
+    pub fn regulates_until(
+        &self,
+        state: &Regulating<C>,
+        past: &Regime<C>,
+        commanded: C,
+        ordered: &Ordered<C>,
+        acceleration: C,
+    ) -> [C; 3] {
+        let one = C::constant(1.0);
+        let ramp = match past.way.value() {
+            _ if commanded.value() != past.target.value() => -one,
+            0.0 => one,
+            way => C::constant(way) * (commanded - state.set),
+        };
+        let [limit, wind] = match Hold::of(past.hold.value()) {
+            Hold::Free => [self.limit - ordered.asked, self.limit + ordered.asked],
+            Hold::Waits(sign) => {
+                let sign = C::constant(sign);
+                [sign * ordered.asked - self.limit, sign * ordered.error]
+            }
+            Hold::Falls(sign) => {
+                let sign = C::constant(sign);
+                [sign * ordered.asked - self.limit, -(sign * ordered.error)]
+            }
+            Hold::Stays(sign) => {
+                let (sign, drift) = (C::constant(sign), self.drifts(past, acceleration));
+                let freely = self.gains[0] * drift + self.gains[1] * ordered.error;
+                [sign * freely, -(sign * drift)]
+            }
+        };
+        [ramp, limit, wind].map(above_zero)
+    }
+}
+
+impl SpeedControl {
+    /// What follows at an event: where the set point goes, and how the limit has the moment. A state that is located where it
+    /// meets something is put there.
+    #[must_use]
+    pub fn decided(
+        &self,
+        (state, past): (Regulating, Regime),
+        commanded: f64,
+        [speed, acceleration]: [f64; 2],
+    ) -> (Regulating, Regime) {
+        let (mut state, mut past) = (state, past);
+        if commanded != past.target {
+            past.target = commanded;
+            past.way = way(commanded - state.set);
+        } else if past.way * (commanded - state.set) <= 0.0 && past.way != 0.0 {
+            (state.set, past.way) = (commanded, 0.0);
+        }
+        let ordered = self.order(&state, &past, speed);
+        let (hold, to) = self.held(Hold::of(past.hold), &ordered, self.drifts(&past, acceleration));
+        past.hold = hold.number();
+        if let Some(moment) = to {
+            state.integral = (moment - self.gains[0] * ordered.error) / self.gains[1];
+        }
+        (state, past)
+    }
+
+    /// How the limit has the moment after it was had so, under a rate of the error; and the moment to put it at, if any.
+    fn held(&self, before: Hold, ordered: &Ordered<f64>, drift: f64) -> (Hold, Option<f64>) {
+        let Ordered { error, asked, .. } = *ordered;
+        let sign = asked.signum();
+        let (part, near) = (asked.abs() / self.limit, (asked.abs() / self.limit - 1.0).abs() <= NEAR);
+        let outside = if pushes(asked, error) {
+            Hold::Waits(sign)
+        } else {
+            Hold::Falls(sign)
+        };
+        // As it goes on where the integral waits, and where it does not.
+        let rising = sign * drift > 0.0;
+        let freely = sign * (self.gains[0] * drift + self.gains[1] * error) > 0.0;
+        let end = sign * self.limit;
+        match before {
+            Hold::Stays(_) if near && freely && !rising => (before, None),
+            Hold::Stays(_) if near && rising => (Hold::Waits(sign), Some(end * LOOSE)),
+            Hold::Stays(_) if near => (Hold::Free, Some(end / LOOSE)),
+            Hold::Waits(_) if near && part < 1.0 && rising => (before, Some(end * LOOSE)),
+            Hold::Waits(_) if near && part < 1.0 && freely => (Hold::Stays(sign), Some(end)),
+            Hold::Free if near && part >= 1.0 && freely && !rising && outside == Hold::Waits(sign) => {
+                (Hold::Stays(sign), Some(end))
+            }
+            _ if part < 1.0 => (Hold::Free, None),
+            _ => (outside, None),
+        }
+    }
+
+    /// The shorter one of J/K_p and √(J/K_i) of an inertia (kg·m²), in s: how quick the speed is under it; `None` of one that is
+    /// sampled.
+    #[must_use]
+    pub fn quickest(&self, inertia: f64) -> Option<f64> {
+        let [proportional, integral] = self.gains;
+        let quickest = (inertia / proportional).min((inertia / integral).sqrt());
+        self.cycle.is_none().then_some(quickest)
+    }
+}
+
+/// Sign of a distance, 0 where there is none.
+fn way(left: f64) -> f64 {
+    if left == 0.0 { 0.0 } else { left.signum() }
+}
