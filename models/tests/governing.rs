@@ -14,6 +14,7 @@ use lemnis_models::luffing::double_link::scene::{Luffing, LuffingScene};
 use lemnis_models::luffing::double_link::symbols as s;
 
 use lemnis_models::kernel::symbol::Symbol;
+use lemnis_models::kernel::variable::Variable;
 use lemnis_models::parts::motion::Motion;
 use lemnis_models::scene::{DEFAULT, Scene};
 
@@ -252,4 +253,62 @@ fn a_peak_is_found_in_few_steps() {
     let (found, asked) = counted(3.0, &|at| if at.re < 1.0 / 3.0 { at } else { -at + 2.0 / 3.0 });
     assert!((found.at - 1.0 / 3.0).abs() <= f64::EPSILON, "{found:?}");
     assert!(asked <= 97 + 56, "{asked}");
+}
+
+/// Of a result that is numbered the derivative is that of the number which governs: of a corner, of a load case. Against central
+/// differences of order six with the governing position searched anew, as above.
+#[test]
+fn sensitivities_are_those_of_the_number_that_governs() {
+    let scenes = [
+        include_str!("../scenes/portal_corner_loads.toml"),
+        include_str!("../scenes/portal_004_corners.toml"),
+        include_str!("../scenes/portal_004_ring.toml"),
+        include_str!("../scenes/slewing_column.toml"),
+    ];
+    let (mut compared, mut worst) = (0, 0.0_f64);
+    for text in scenes {
+        let scene = Scene::parse(text).unwrap_or_else(|found| panic!("{found:?}"));
+        let (mut model, outline) = (scene.mechanism.standing(), scene.mechanism.outline());
+        let found = governing(&model, outline, &|_| true);
+        let table = sensitivity(&mut model, outline, outline.sensitivity, &found, &|_| true);
+        assert!(!table.results.is_empty() && table.rows.len() > 10, "{}", scene.name());
+        for row in &table.rows {
+            let same = |v: &Variable| v.symbol == row.symbol && v.number == row.number;
+            let index = model.variables().iter().position(same).expect("a variable");
+            let step = 1e-4 * row.value.abs().max(0.1);
+            // A factor of zero has no lesser one.
+            if model.set(index, row.value - 3.0 * step).is_err() {
+                continue;
+            }
+            let mut at = |n: f64| {
+                model.set(index, row.value + n * step).expect("allowed");
+                let found = governing(&model, outline, &|_| true);
+                table
+                    .results
+                    .iter()
+                    .map(|(symbol, _)| found.iter().find(|g| g.symbol == *symbol).expect("there").value)
+                    .collect::<Vec<_>>()
+            };
+            let ends = [1.0, -1.0, 2.0, -2.0, 3.0, -3.0].map(&mut at);
+            at(0.0);
+            for (i, (&(symbol, value), exact)) in table.results.iter().zip(&row.by).enumerate() {
+                let [a, b, c] = [0, 2, 4].map(|k| ends[k][i] - ends[k + 1][i]);
+                let estimate = (45.0 * a - 9.0 * b + c) / (60.0 * step);
+                let scale = exact.abs().max(value.abs() / row.value.abs().max(0.1));
+                let error = (estimate - exact).abs() / scale;
+                assert!(
+                    error < 1e-8,
+                    "{}: d{}/d{}{:?}: {exact} against {estimate}",
+                    scene.name(),
+                    symbol.id,
+                    row.symbol.id,
+                    row.number
+                );
+                worst = worst.max(error);
+                compared += 1;
+            }
+        }
+    }
+    assert!(compared > 150, "{compared}");
+    println!("{compared} sensitivities, largest relative deviation {worst:.1e}");
 }

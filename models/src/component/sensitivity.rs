@@ -7,7 +7,7 @@
 use num_dual::Dual64;
 
 use crate::component::outline::Outline;
-use crate::component::probe::{Probe, slot};
+use crate::component::probe::{Probe, slots};
 use crate::component::running::Running;
 use crate::component::sheet::{Sensitivity, Slope, Summary};
 use crate::component::spread::{Spot, Spread, integrated};
@@ -32,6 +32,17 @@ impl Held {
     }
 }
 
+/// An extreme with where it was found; of a numbered result it is held at the number that has it there.
+fn held(model: &Standing, here: &mut Probe, of: &'static Symbol, summary: &Summary) -> Option<(f64, Held)> {
+    let at = Dual64::from_re(summary.at.map_or(model.motion().from, |(_, at)| at));
+    let apart = slots(model, of).map(|slot| {
+        let value = here.at(&slot, at).map_or(f64::NAN, |value| value.re);
+        ((value - summary.value).abs(), slot)
+    });
+    let (_, slot) = apart.min_by(|(one, _), (other, _)| one.total_cmp(other))?;
+    Some((summary.value, Held::At(slot, at)))
+}
+
 /// How results change with each given quantity that is wanted: derivatives in SI, exact. Those that the scene has of the symbols asked
 /// for, as results of the range or among the governing ones.
 #[must_use]
@@ -44,13 +55,16 @@ pub fn sensitivity(
 ) -> Sensitivity {
     let mut results = Vec::new();
     let mut found: Vec<Held> = Vec::new();
+    let mut here = Probe::new(model, &mut |_, _| 0.0);
     for &symbol in asked {
         let extreme = outline.extremes.iter().find(|extreme| extreme.symbol == symbol);
-        let held = extreme.and_then(|extreme| slot(model, extreme.of));
         let summary = governing.iter().find(|summary| summary.symbol == symbol);
+        let held = extreme
+            .zip(summary)
+            .and_then(|(extreme, summary)| held(model, &mut here, extreme.of, summary));
         let index = model.variables().iter().position(|variable| variable.symbol == symbol);
         let place = index.map(|index| (index, model.places()[index]));
-        let (value, of) = match (place, held.zip(summary)) {
+        let (value, of) = match (place, held) {
             (Some((index, VariablePlace::Whole(whole))), _) => {
                 let (spread, spot) = (model.wholes()[whole], model.spot(whole).ok());
                 (model.get(index).ok(), spot.map(|spot| Held::Whole(spread, spot)))
@@ -60,11 +74,7 @@ pub fn sensitivity(
                 let from = Dual64::from_re(model.motion().from);
                 (model.get(index).ok(), Some(Held::At(slot, from)))
             }
-            // An extreme is held where it was found.
-            (_, Some((slot, summary))) => {
-                let at = Dual64::from_re(summary.at.map_or(model.motion().from, |(_, at)| at));
-                (Some(summary.value), Some(Held::At(slot, at)))
-            }
+            (_, Some((value, of))) => (Some(value), Some(of)),
             _ => continue,
         };
         if let Some((value, of)) = value.zip(of).filter(|(value, _)| value.is_finite() && *value != 0.0) {
