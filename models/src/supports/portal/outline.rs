@@ -3,7 +3,7 @@
 use crate::component::outline::Explained::Stage;
 use crate::component::outline::{Greatest, Limit, Most, Outline, chapters};
 use crate::kernel::symbol::listed;
-use crate::luffing::aboard::{THETA_A, THETA_E};
+use crate::luffing::aboard::{OMEGA_1, THETA_1, THETA_A, THETA_E};
 use crate::luffing::kinds::GIVEN;
 use crate::supports::portal::symbols as s;
 
@@ -69,7 +69,11 @@ pub const OUTLINE: Outline = Outline {
         Limit::at_least("portal_storm", &s::K_S_MIN),
         Limit::at_most("portal_anchors", &s::U_MAX),
     ],
-    uses: &[("carried_range", &[&THETA_A, &THETA_E]), ("carried_bars", GIVEN)],
+    uses: &[
+        ("carried_range", &[&THETA_A, &THETA_E, &OMEGA_1]),
+        ("carried_angle", &[&THETA_1]),
+        ("carried_bars", GIVEN),
+    ],
     forces: listed!(s: N_R, N_H, H),
     worst: &[("greatest_wheel_load", &s::F_W_MAX)],
 };

@@ -3,7 +3,7 @@
 use crate::component::outline::Explained::Stage;
 use crate::component::outline::{Greatest, Limit, Line, Most, Outline, SectionOutline, chapters, joined};
 use crate::kernel::symbol::listed;
-use crate::luffing::aboard::{THETA_A, THETA_E};
+use crate::luffing::aboard::{OMEGA_1, THETA_1, THETA_A, THETA_E};
 use crate::luffing::kinds::GIVEN;
 use crate::supports::drive::outline as drive;
 use crate::supports::drive::symbols as d;
@@ -29,7 +29,8 @@ pub const OUTLINE: Outline = Outline {
     limits: &LIMITS,
     uses: &[
         ("upper_heights", listed!(u: H_U, H_1)),
-        ("carried_range", &[&THETA_A, &THETA_E]),
+        ("carried_range", &[&THETA_A, &THETA_E, &OMEGA_1]),
+        ("carried_angle", &[&THETA_1]),
         ("carried_bars", GIVEN),
         ("upper_cases", listed!(u: K_Q, P_W, CHI_W)),
         ("upper_cases", listed!(d: N_S, ALPHA_Q, K_B)),

@@ -31,7 +31,7 @@ symbols! {
 
     // Loads of a case.
     Q_C: "Q_c" "Q_i" N / KN, "Load as it counts in the case.", "derived";
-    G_S: "G_s" "G_i" N / KN, "Weight of all that slews in the case.", "derived";
+    G_S: "G_s" "G_(s i)" N / KN, "Weight of all that slews in the case.", "derived";
     M_V: "M_v" "M_(\"v\" i)" N_M / KN_M, "Moment of the weights square to the slewing plane; positive in the boom's direction.", "equilibrium";
     M_GAMMA: "M_gamma" "M_(gamma i)" N_M / KN_M, "Moment of the weights down the slope at their heights; in the downhill direction.", "equilibrium";
     BETA_W: "beta_w" "beta_i" RAD / DEG, "Direction to which the wind blows, from that of the boom.", "derived";
