@@ -70,9 +70,9 @@ def box(length, breadth, depth, x=0.0, y=0.0, z=0.0):
     return [(x - length / 2, section), (x + length / 2, section)]
 
 
-def level(stations, volume, along, across):
+def level(stations, volume, along, across, found=below):
     """Where a liquid of this volume stands."""
-    return brentq(lambda z: below(stations, (z, along, across))[0] - volume, -60.0, 80.0, xtol=1e-13, rtol=1e-14)
+    return brentq(lambda z: found(stations, (z, along, across))[0] - volume, -60.0, 80.0, xtol=1e-13, rtol=1e-14)
 
 
 class Hull:
@@ -80,9 +80,18 @@ class Hull:
 
     def __init__(self, stations, masses, tanks, moments=(0.0, 0.0)):
         self.stations, self.moments = stations, np.array(moments)
+        self.open = []
         self.tanks = [(box(l, b, deep, x, y, z), l * b * h, RHO * G) for l, b, h, x, y, z, deep in tanks]
         self.solid = masses
         self.weight = sum(mass[0] for mass in masses) + sum(volume * heavy for _, volume, heavy in self.tanks)
+
+    def bearing(self, stations, plane):
+        """Volume with its first moments, without what is open to the water: walls and permeability of each."""
+        lost = [share * below(walls, plane) for walls, share in self.open]
+        return below(stations, plane) - sum(lost, np.zeros(4))
+
+    def level(self, along, across):
+        return level(self.stations, self.weight / (RHO * G), along, across, self.bearing)
 
     def gravity(self, along, across):
         sums = sum(mass[0] * np.array(mass[1:]) for mass in self.solid)
@@ -92,7 +101,7 @@ class Hull:
         return sums / self.weight
 
     def arm(self, plane):
-        volume, *moment = below(self.stations, plane)
+        volume, *moment = self.bearing(self.stations, plane)
         return np.array(moment) / volume - self.gravity(*plane[1:])
 
     def rest(self):
@@ -101,23 +110,27 @@ class Hull:
 
         def apart(plane):
             arm = self.arm(plane)
-            return [below(self.stations, plane)[0] / wanted - 1, arm[0] + plane[1] * arm[2], arm[1] + plane[2] * arm[2]]
+            return [self.bearing(self.stations, plane)[0] / wanted - 1, arm[0] + plane[1] * arm[2], arm[1] + plane[2] * arm[2]]
 
-        upright = level(self.stations, wanted, 0.0, 0.0)
+        upright = self.level(0.0, 0.0)
         found, _, done, _ = fsolve(apart, [upright, 0.0, 0.0], xtol=1e-14, full_output=True)
         assert np.abs(apart(found)).max() < 1e-10
         return found
 
+    def lying(self, heel, along):
+        """Height of the centre of gravity over that of buoyancy at a heel and a trim, and the water's plane."""
+        across = math.tan(heel)
+        plane = (self.level(along, across), along, across)
+        normal = np.array([-along, -across, 1.0])
+        return -normal @ self.arm(plane) / np.linalg.norm(normal), plane
+
+    def trim(self, heel):
+        """Of least energy at a heel."""
+        return minimize_scalar(lambda t: self.lying(heel, t)[0], bounds=(-0.2, 0.2), method="bounded", options={"xatol": 1e-9})
+
     def energy(self, heel):
         """Least height of the centre of gravity over that of buoyancy at a heel, over all trims."""
-        across = math.tan(heel)
-
-        def height(along):
-            plane = (level(self.stations, self.weight / (RHO * G), along, across), along, across)
-            normal = np.array([-along, -across, 1.0])
-            return -normal @ self.arm(plane) / np.linalg.norm(normal)
-
-        return minimize_scalar(height, bounds=(-0.2, 0.2), method="bounded", options={"xatol": 1e-9}).fun
+        return self.trim(heel).fun
 
 
 def crane(psi, reach, load, lost=False, centred=False):
@@ -217,6 +230,41 @@ def test_a_sudden_wind(fmus):
         assert found[name] == pytest.approx(value, rel=1e-7, abs=1e-7), name
 
 
+@pytest.mark.parametrize("psi", [70.0, 250.0])
+def test_openings_come_to_the_water(fmus, psi):
+    """Heights at rest, and heels by the independent hull; where one floods before phi_f, areas end there."""
+    psi, reach, load = math.radians(psi), 25.0, 100 * T
+    places = [(-22.0, 8.0, 7.2), (-22.0, -8.0, 7.2)]
+    names = [f"{name}[{i}]" for name in ("f_o", "phi_o", "phi_o0") for i in (1, 2)]
+    found = at(fmus["FMI 3"], [*names, "phi", "A_res", "A_II"], {"phi_f": math.radians(40.0)}, psi_sl=psi, R=reach, Q=load)
+    loaded, empty = crane(psi, reach, load), crane(psi, reach, load, lost=True)
+    draft, along, across = loaded.rest()
+    side = math.copysign(1.0, across)
+
+    def over(hull, heel, place):
+        """Height of a place over the water at a heel, at the trim of least energy."""
+        draft, x, y = hull.lying(heel, hull.trim(heel).x)[1]
+        return place[2] - draft - x * place[0] - y * place[1]
+
+    heels = [[], []]
+    for i, place in enumerate(places):
+        height = (place[2] - draft - place[0] * along - place[1] * across) / math.sqrt(1 + along**2 + across**2)
+        assert found[f"f_o[{i + 1}]"] == pytest.approx(height, abs=1e-9)
+        for hull, sign, name, known in ((loaded, side, "phi_o", heels[0]), (empty, -side, "phi_o0", heels[1])):
+            if sign * place[1] > 0:
+                heel = brentq(lambda phi: over(hull, sign * phi, place), 0.1, 0.8, xtol=1e-9)
+                assert found[f"{name}[{i + 1}]"] == pytest.approx(heel, abs=1e-6), name
+                known.append(heel)
+            else:
+                assert found[f"{name}[{i + 1}]"] > 0.8
+    ends = [min(known) for known in heels]
+    assert all(math.radians(20.0) < end < math.radians(40.0) for end in ends)
+    heel = math.atan(across)
+    assert found["A_res"] == pytest.approx(loaded.energy(side * ends[0]) - loaded.energy(heel), abs=1e-6)
+    rest = math.atan(empty.rest()[2])
+    assert found["A_II"] == pytest.approx(empty.energy(-side * ends[1]) - empty.energy(rest), abs=1e-6)
+
+
 def raked(sections):
     """A pontoon with raked ends, by sections of half breadth and height."""
     text = SCENE.read_text(encoding="utf-8")
@@ -254,6 +302,72 @@ def test_a_pontoon_with_raked_ends(tmp_path):
         assert found["e[5]"] == pytest.approx(hull.energy(math.radians(30.0)) - hull.energy(0.0), abs=1e-8)
 
 
+CASES = """
+[[hull.flooded]]
+mu_f = "0.95"
+l_f = "10 m"
+b_f = "9 m"
+d_f = "4.5 m"
+x_f = "-20 m"
+y_f = "7.5 m"
+[hull.tow]
+F_p = "400 kN"
+chi_p = "60 deg"
+z_p = "5 m"
+z_lp = "1.1 m"
+"""
+
+
+def damaged(folder):
+    """The scene with a flooded compartment, under tow."""
+    path = folder / "damaged.toml"
+    text = SCENE.read_text(encoding="utf-8").replace("[hull.loss]", CASES + "[hull.loss]")
+    text = text.replace('f_min     = "0.5 m"\n', "").replace("FloatingCraneStatic", "FloatingCraneDamaged")
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+@pytest.fixture(scope="module")
+def flooded(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("flooded")
+    lemnis("fmu", damaged(folder), "--output", folder)
+    return {standard: str(folder / f"FloatingCraneDamaged{end}") for standard, end in ENDS.items()}
+
+
+@pytest.mark.parametrize("standard", ENDS)
+def test_a_flooded_compartment_under_tow(flooded, standard):
+    """Heel, trim and levers of the hull that has lost the buoyancy of a compartment, and the tow rope's moment."""
+    pull, chi = 400e3 * (5.0 - 1.1), math.radians(60.0)
+    for psi, load in ((0.4, 60 * T), (2.2, 0.0), (4.4, 100 * T)):
+        found = at(flooded[standard], ["T", "phi", "theta", "T_0", "y_B", "x_B", "M_p", "A_res", "e[3]"], psi_sl=psi, R=25.0, Q=load)
+        hull, centred = crane(psi, 25.0, load), crane(psi, 25.0, load, centred=True)
+        for each in (hull, centred):
+            each.open = [(box(10.0, 9.0, 4.5, -20.0, 7.5), 0.95)]
+        hull.moments += pull * np.array([math.cos(chi), math.sin(chi)])
+        centred.moments[0] += pull * math.cos(chi)
+        draft, along, across = hull.rest()
+        upright = hull.level(0.0, 0.0)
+        _, x, y, _ = hull.bearing(hull.stations, (upright, 0.0, 0.0)) / (hull.weight / (RHO * G))
+        wanted = {"T": draft, "phi": math.atan(across), "theta": math.atan(along), "T_0": upright, "x_B": x, "y_B": y, "M_p": pull}
+        for name, value in wanted.items():
+            assert found[name] == pytest.approx(value, rel=1e-9, abs=1e-9), name
+        assert found["e[3]"] == pytest.approx(centred.energy(math.radians(15.0)) - centred.energy(0.0), abs=1e-8)
+        heel = math.atan(across)
+        end = math.copysign(math.radians(20.0), heel)
+        assert found["A_res"] == pytest.approx(hull.energy(end) - hull.energy(heel), abs=1e-7)
+
+
+def test_a_compartment_that_nothing_floods_changes_nothing(fmus, flooded):
+    """As its permeability goes to zero, and the pull with it, the intact hull."""
+    names = ["T", "phi", "theta", "GM", "A_res", "phi_2"]
+    intact = at(fmus["FMI 3"], names, psi_sl=1.0, R=25.0, Q=100 * T)
+    errors = []
+    for share in (1e-2, 1e-3, 1e-4):
+        found = at(flooded["FMI 3"], names, {"mu_f[1]": share, "F_p": 0.0}, psi_sl=1.0, R=25.0, Q=100 * T)
+        errors.append([abs(found[name] - intact[name]) for name in names])
+    assert all(8.0 < one / other < 12.0 for before, after in zip(errors, errors[1:]) for one, other in zip(before, after))
+
+
 def test_derivatives_of_the_fmu(fmus, tmp_path):
     """The library's directional derivatives against central differences of its own values."""
     description = read_model_description(fmus["FMI 3"])
@@ -286,3 +400,7 @@ def test_the_book_names_its_criteria(language, tmp_path):
     for check in ("afloat_heel", "afloat_freeboard", "afloat_residual", "afloat_lost", "afloat_energy", "afloat_water"):
         assert known["check"][check] in book, check
     assert "46 CFR 173" in book and "IS Code 2008" in book
+    lemnis("book", damaged(tmp_path), "--language", language, "--format", "typ", "--output", tmp_path)
+    book = typst(tmp_path / "FloatingCraneDamaged.typ")
+    for name in ("afloat_tow", "afloat_flooded"):
+        assert known["input"][name] in book and known["assumption"][name] in book, name

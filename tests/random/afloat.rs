@@ -56,6 +56,14 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
             row(draw, &[(&s::A_W, area), (&s::Z_W, height)])
         });
     }
+    cases(&mut n, weight, [long, broad, deep]);
+    if n.has("openings") {
+        list(&mut n, "openings", 2, &mut |draw, i| {
+            let along = 0.5 * size * draw.between(-1.0, 1.0);
+            let aside = if i == 0 { 0.3 * size } else { -0.3 * size };
+            row(draw, &[(&s::X_O, along), (&s::Y_O, aside), (&s::Z_O, 1.2 * deep)])
+        });
+    }
     if !n.has("wind") {
         n.remove(&["gust"]);
     }
@@ -78,6 +86,31 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     }
     working_range(&mut n, [-PI, PI]);
     table
+}
+
+/// A pull that is a small part of the weight (N), and a compartment that is one of a hull of a length, a breadth and a depth.
+fn cases(n: &mut Node, weight: f64, [long, broad, deep]: [f64; 3]) {
+    if let Some(mut tow) = n.child("tow") {
+        let pull = weight * tow.draw.between(0.0, 0.001);
+        tow.set("F_p", pull);
+        let [high, low] = [1.0, 0.2].map(|high| deep * tow.draw.between(0.0, high));
+        tow.set("z_p", high);
+        tow.set("z_lp", low);
+    }
+    if n.has("flooded") {
+        list(n, "flooded", 1, &mut |draw, _| {
+            let [along, aside] = [(0.4, long), (0.3, broad)].map(|(far, whole)| whole * draw.between(-far, far));
+            let share = draw.between(0.1, 1.0);
+            let whole = [
+                (&s::L_F, 0.1 * long),
+                (&s::B_F, 0.2 * broad),
+                (&s::D_F, 0.5 * deep),
+                (&s::X_F, along),
+            ];
+            let all = [&whole[..], &[(&s::Y_F, aside), (&s::Z_F, 0.0), (&s::MU_F, share)]].concat();
+            row(draw, &all)
+        });
+    }
 }
 
 /// A luffing mechanism whose weights are a small part of another one (N), and a mass that slews with it.

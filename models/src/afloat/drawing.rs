@@ -29,6 +29,12 @@ pub fn drawn(given: &Given<f64>, at: f64) -> Drawing {
     };
     let mut size = outline.iter().map(|point| point.norm()).fold(1e-3, f64::max);
     draw.body(&outline, false);
+    for space in &given.flooded {
+        let half = space.b_f / 2.0;
+        let [low, high] = [space.z_f, space.z_f + space.d_f];
+        let corners = [(-half, low), (half, low), (half, high), (-half, high)];
+        draw.body(&corners.map(|(y, z)| Point::new(space.y_f + y, z)), true);
+    }
     let mut known = FloatingCrane::new(given.clone());
     known.psi().1 = at;
     if let Ok(posture) = known.posture() {

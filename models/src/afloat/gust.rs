@@ -4,6 +4,7 @@ use crate::afloat::hull::Floating;
 use crate::afloat::levers::{At, over, raised};
 use crate::afloat::loaded::Loaded;
 use crate::afloat::loss::{beyond, swung};
+use crate::afloat::openings::AreaEnds;
 use crate::afloat::posture::Posture;
 use crate::afloat::symbols as s;
 use crate::afloat::weights::{HullWind, Weighed, WindageArea};
@@ -11,7 +12,7 @@ use crate::component::found::{Finding, found};
 use crate::component::scalar::Scalar;
 use crate::component::stages::results;
 use crate::kernel::calc::{Calc, sum};
-use crate::kernel::group::{One, quantities};
+use crate::kernel::group::quantities;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Fault;
 
@@ -100,7 +101,7 @@ impl<C: Scalar> Gust<C> {
         on: &Floating<C>,
         loaded: &Loaded<C>,
         posture: &Posture<C>,
-        limit: &One<C>,
+        ends: &AreaEnds<C>,
         gust: &GustGiven<C>,
         wind: &HullWind<C>,
         areas: &[WindageArea<C>],
@@ -110,12 +111,12 @@ impl<C: Scalar> Gust<C> {
         let heel = posture.heel();
         let left = heel.value() >= 0.0;
         let [from, end, across] = if left {
-            [heel - gust.phi_a, **limit, loaded.all.across + moment]
+            [heel - gust.phi_a, ends.0[0], loaded.all.across + moment]
         } else {
-            [heel + gust.phi_a, -**limit, loaded.all.across - moment]
+            [heel + gust.phi_a, -ends.0[0], loaded.all.across - moment]
         };
         let struck = Weighed { across, ..loaded.all };
-        let heels = found::<Struck, C, 2>(&(on.clone(), struck, [from, **limit]))?;
+        let heels = found::<Struck, C, 2>(&(on.clone(), struck, [from, ends.0[0]]))?;
         let [capsizes] = found::<Capsizing, C, 1>(&(on.clone(), loaded.all, [from, end]))?;
         let safety = if moment.value() > 0.0 {
             (capsizes / moment).def(&s::K_C)

@@ -7,11 +7,24 @@ use crate::afloat::weights::TankGiven;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::{One, group, quantities};
 use crate::kernel::variable::Fault;
-use crate::parts::solid::{Solid, TriangleMesh};
+use crate::parts::cut::Cut;
+use crate::parts::solid::{Solid, TriangleMesh, level};
 
 quantities! {
     /// A hull that is a box, around the origin.
     BoxHull { l: L, b: B, d: D }
+}
+
+quantities! {
+    /// A rectangular compartment within the hull that is open to the water.
+    FloodedSpace { mu_f: MU_F, l_f: L_F, b_f: B_F, d_f: D_F, x_f: X_F, y_f: Y_F, z_f: Z_F }
+}
+
+/// Its walls, and the share of it that water fills.
+#[derive(Clone, Debug)]
+pub struct OpenSpace<C> {
+    walls: Solid<C>,
+    share: C,
 }
 
 /// The sections of a hull: corners and faces, and the deck's edge on the left by its corners, from the stern to the bow.
@@ -53,6 +66,7 @@ pub struct Floating<C> {
     pub hull: Solid<C>,
     pub tanks: Vec<BallastTank<C>>,
     pub water: C,
+    open: Vec<OpenSpace<C>>,
     /// Points of a section on one side, where it has sections.
     half: usize,
 }
@@ -62,6 +76,7 @@ impl<C: Calc> Floating<C> {
         built: &Option<BoxHull<C>>,
         offsets: &Option<Offsets>,
         tanks: &[TankGiven<C>],
+        flooded: &[FloodedSpace<C>],
         density: &One<C>,
         gravity: &One<C>,
     ) -> Result<Floating<C>, Fault> {
@@ -85,6 +100,12 @@ impl<C: Calc> Floating<C> {
             hull,
             tanks: tanks.iter().map(tank).collect(),
             water: **density * **gravity,
+            open: (flooded.iter())
+                .map(|space| OpenSpace {
+                    walls: Solid::cuboid([space.x_f, space.y_f, space.z_f], [space.l_f, space.b_f, space.d_f]),
+                    share: space.mu_f,
+                })
+                .collect(),
             half: offsets.as_ref().map_or(0, |offsets| offsets.half),
         })
     }
@@ -103,8 +124,24 @@ impl<C: Calc> Floating<C> {
                 })
                 .collect(),
             water: f(self.water),
+            open: (self.open.iter())
+                .map(|space| OpenSpace {
+                    walls: space.walls.map(f),
+                    share: f(space.share),
+                })
+                .collect(),
             half: self.half,
         }
+    }
+
+    /// What bears below the plane `z = t + a x + b y`: the hull without what is open to the water (lost buoyancy).
+    #[inline(never)]
+    pub fn cut(&self, plane: [C; 3]) -> Cut<C> {
+        let mut cut = self.hull.cut(plane);
+        self.open
+            .iter()
+            .for_each(|space| cut.less(&space.walls.cut(plane), space.share));
+        cut
     }
 
     /// Points of the deck's edge on the left, from stern to bow, in m.
@@ -142,5 +179,13 @@ impl<C: Calc> Floating<C> {
                 mesh.points.chunks(2 * self.half).filter_map(side).collect()
             }
         }
+    }
+}
+
+impl Floating<f64> {
+    /// As [`level`], of a volume (m³) that bears.
+    #[must_use]
+    pub fn level(&self, slopes: [f64; 2], volume: f64) -> f64 {
+        level(self.hull.heights(slopes), slopes, volume, |plane| self.cut(plane))
     }
 }

@@ -33,20 +33,28 @@ fn slope<C: Calc>(heel: C) -> C {
     sin / cos
 }
 
+/// Draft (m) and slopes at a heel (rad) that is held, the trim free.
+///
+/// # Errors
+/// It does not come to rest.
+pub fn at_heel<C: Calc>(on: &Floating<C>, all: &Weighed<C>, heel: C) -> Result<[C; 3], Fault> {
+    rest(on, all, Rests::AtHeel, slope(heel)).ok_or_else(|| {
+        Fault::outside(format!(
+            "at a heel of {} with W = {} the hull finds no trim; keep to smaller heels",
+            s::PHI.written(heel.value()),
+            s::W.written(all.weight.value()),
+        ))
+    })
+}
+
 /// Rise of the centre of gravity over that of buoyancy (m) at a heel (rad) that is held, and the righting lever (m).
 ///
 /// # Errors
 /// It does not come to rest.
 #[inline(never)]
 pub fn raised<C: Calc>(on: &Floating<C>, all: &Weighed<C>, heel: C) -> Result<[C; 2], Fault> {
-    match rest(on, all, Rests::AtHeel, slope(heel)) {
-        Some(at) => Ok(Lie::new(on, all, at).energy(at)),
-        None => Err(Fault::outside(format!(
-            "at a heel of {} with W = {} the hull finds no trim; keep to smaller heels",
-            s::PHI.written(heel.value()),
-            s::W.written(all.weight.value()),
-        ))),
-    }
+    let at = at_heel(on, all, heel)?;
+    Ok(Lie::new(on, all, at).energy(at))
 }
 
 /// Lever (m) and area (m·rad) at a heel.

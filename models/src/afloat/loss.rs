@@ -3,6 +3,7 @@
 use crate::afloat::hull::Floating;
 use crate::afloat::levers::{At, over, raised};
 use crate::afloat::loaded::Loaded;
+use crate::afloat::openings::AreaEnds;
 use crate::afloat::posture::Posture;
 use crate::afloat::rest::{Lie, Rests, rest};
 use crate::afloat::symbols as s;
@@ -11,7 +12,7 @@ use crate::component::found::{Finding, found};
 use crate::component::scalar::Scalar;
 use crate::component::stages::results;
 use crate::kernel::calc::Calc;
-use crate::kernel::group::{One, quantities};
+use crate::kernel::group::quantities;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Fault;
 
@@ -43,7 +44,8 @@ impl Finding<1> for Left {
 /// The refusal of a heel beyond the last that counts.
 pub fn beyond<C: Calc>(when: &str, heel: C, end: C) -> Fault {
     Fault::outside(format!(
-        "{when} the hull heels to {} or more, and areas count up to phi_f = {}; give less load or reach, other ballast, or a greater phi_f",
+        "{when} the hull heels to {} or more, and areas count up to {}, phi_f or where an opening comes to the water; give less load or reach, other ballast, a greater \
+         phi_f, or higher openings",
         s::PHI.written(heel.value()),
         s::PHI_F.written(end.value().abs()),
     ))
@@ -57,9 +59,9 @@ pub fn residual<C: Scalar>(
     on: &Floating<C>,
     loaded: &Loaded<C>,
     posture: &Posture<C>,
-    limit: &One<C>,
+    ends: &AreaEnds<C>,
 ) -> Result<C, Fault> {
-    let [area] = found::<Left, C, 1>(&(on.clone(), loaded.all, [posture.heel(), **limit]))?;
+    let [area] = found::<Left, C, 1>(&(on.clone(), loaded.all, [posture.heel(), ends.0[0]]))?;
     Ok(area)
 }
 
@@ -157,10 +159,10 @@ impl<C: Scalar> LoadLost<C> {
         on: &Floating<C>,
         loaded: &Loaded<C>,
         posture: &Posture<C>,
-        limit: &One<C>,
+        ends: &AreaEnds<C>,
         rule: &LossRule<C>,
     ) -> Result<LoadLost<C>, Fault> {
-        let found = found::<Lost, C, 4>(&(on.clone(), loaded.bare, [posture.heel(), **limit]))?;
+        let found = found::<Lost, C, 4>(&(on.clone(), loaded.bare, [posture.heel(), ends.0[1]]))?;
         let [_, drives, stops, _] = found;
         Ok(LoadLost {
             found,

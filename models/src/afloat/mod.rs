@@ -17,9 +17,10 @@
 //! |---|---|---|
 //! | `afloat.weights` | [`weights::DeadLoad::new`], [`loaded::Loaded::new`] | equilibrium; IS Code 2008, B 2.9 |
 //! | `afloat.cut` | [`Solid::cut`](crate::parts::solid::Solid::cut) | Gauss' theorem |
-//! | `afloat.upright` | [`upright::Upright::new`], [`upright::SmallAngles::new`] | Ports001, 7.3 |
+//! | `afloat.upright` | [`upright::Upright::new`], [`small::SmallAngles::new`] | Ports001, 7.3 |
 //! | `afloat.rest` | [`rest::rest`], [`posture::Posture::new`] | equilibrium |
 //! | `afloat.levers` | [`levers::levers`] | potential energy; Ports001, 7.3: wall-sided form |
+//! | `afloat.openings` | [`openings::flooding`], [`openings::AreaEnds::new`] | geometry; Ports001, 7.3 |
 //! | `afloat.loss` | [`loss::residual`], [`loss::LoadLost::new`] | 46 CFR 173, 173.020 and 173.025 |
 //! | `afloat.gust` | [`gust::Gust::new`] | Ports001, 7.3: dynamic lever |
 //! | `afloat.riding` | [`riding::RidingHull::new`], [`riding::WaterForces::new`] | geometry; virtual work |
@@ -38,6 +39,7 @@ pub mod hull;
 pub mod levers;
 pub mod loaded;
 pub mod loss;
+pub mod openings;
 mod outline;
 pub mod posture;
 pub mod rest;
@@ -45,6 +47,7 @@ pub mod riding;
 mod rig;
 pub mod scene;
 mod shape;
+pub mod small;
 pub mod stages;
 mod start;
 pub mod swaying;

@@ -10,11 +10,14 @@ use crate::luffing::kinds::GIVEN;
 /// Levers at heels, of which the book tells one with its formulas and all in a table.
 pub const LEVERS: &[SectionOutline] = &[("afloat_levers", &[Stage("levers")])];
 
+/// The section of openings, which are all in its table.
+pub const OPENINGS: &str = "afloat_openings";
+
 pub const OUTLINE: Outline = Outline {
     inputs: chapters!(
         afloat_hull "", afloat_sections "sections", afloat_masses "masses", afloat_tanks "tanks", load "Q", load "R",
         afloat_crane "pedestal", afloat_turning "turning", carried_luffing "luffing", carried_weights "luffing.weights",
-        carried_balance "luffing.balance", carried_inertias "luffing.dynamics", carried_range "luffing.motion", afloat_wind "wind", afloat_areas "wind.areas", afloat_loss "loss", afloat_gust "gust",
+        carried_balance "luffing.balance", carried_inertias "luffing.dynamics", carried_range "luffing.motion", afloat_wind "wind", afloat_areas "wind.areas", afloat_openings "openings", afloat_tow "tow", afloat_flooded "flooded", afloat_loss "loss", afloat_gust "gust",
         afloat_dynamics "dynamics", afloat_start, motion, limits
     ),
     constants: &[("afloat_weights", &[Stage("dead")])],
@@ -29,6 +32,7 @@ pub const OUTLINE: Outline = Outline {
         ("afloat_small", &[Stage("small")]),
         ("afloat_posture", &[Stage("posture")]),
         ("afloat_holding", &[Stage("holding")]),
+        (OPENINGS, &[Stage("flooding")]),
         ("afloat_residual", &[Stage("residual")]),
         ("afloat_lost", &[Stage("lost")]),
         ("afloat_gust", &[Stage("struck")]),
@@ -49,6 +53,8 @@ pub const OUTLINE: Outline = Outline {
         Greatest::new(&s::THETA_MAX, Most::Amount, &s::THETA),
         Greatest::new(&s::BETA_MAX, Most::Greatest, &s::BETA),
         Greatest::new(&s::F_MIN, Most::Least, &s::F_LOW),
+        Greatest::new(&s::F_O_MIN, Most::Least, &s::F_O),
+        Greatest::new(&s::PHI_O_MIN, Most::Least, &s::PHI_O),
         Greatest::new(&s::A_RES_MIN, Most::Least, &s::A_RES),
         Greatest::new(&s::PHI_2_MAX, Most::Amount, &s::PHI_2),
         Greatest::new(&s::D_A_MIN, Most::Least, &s::D_A),
@@ -61,6 +67,8 @@ pub const OUTLINE: Outline = Outline {
         Limit::at_most("afloat_heel", &s::PHI_MAX),
         Limit::at_most("afloat_trim", &s::THETA_MAX),
         Limit::at_least("afloat_freeboard", &s::F_MIN),
+        Limit::at_least("afloat_openings", &s::F_O_MIN),
+        Limit::at_least("afloat_flooding", &s::PHI_O_MIN),
         Limit::at_least("afloat_residual", &s::A_RES_MIN),
         Limit::at_most("afloat_roll", &s::PHI_2_MAX),
         Limit::not_negative("afloat_lost", &s::D_A_MIN),
@@ -70,6 +78,7 @@ pub const OUTLINE: Outline = Outline {
     uses: &[
         ("afloat_shape", listed!(s: L, B, D, X_H)),
         ("afloat_tank", listed!(s: D_T)),
+        ("afloat_compartment", listed!(s: MU_F, L_F, B_F, D_F, X_F, Y_F, Z_F)),
         ("afloat_areas", listed!(s: PHI_F)),
         ("afloat_rolled", listed!(s: PHI_A)),
         ("afloat_told", listed!(s: PHI_H)),

@@ -24,7 +24,7 @@ impl<C: Calc> Lie<C> {
     #[inline(never)]
     pub fn new(on: &Floating<C>, all: &Weighed<C>, [t, a, b]: [C; 3]) -> Lie<C> {
         let volume = all.weight / on.water;
-        let cut = on.hull.cut([t, a, b]);
+        let cut = on.cut([t, a, b]);
         let short = volume - cut.volume;
         let [x, y] = cut.first.map(|first| first / cut.area);
         let at = [x, y, t + a * x + b * y];
@@ -120,7 +120,7 @@ pub fn rest<C: Calc>(on: &Floating<C>, all: &Weighed<C>, held: Rests, heel: C) -
     let (plain, weighed) = (on.map(&mut |x| x.value()), all.map(&mut |x| x.value()));
     let volume = weighed.weight / plain.water;
     let mut at = [0.0, 0.0, if held == Rests::AtHeel { heel.value() } else { 0.0 }];
-    at[0] = plain.hull.level([at[1], at[2]], volume);
+    at[0] = plain.level([at[1], at[2]], volume);
     let step = |lie: &Lie<f64>, at| {
         if held == Rests::AtHeel {
             lie.to_trim(at)
@@ -139,7 +139,7 @@ pub fn rest<C: Calc>(on: &Floating<C>, all: &Weighed<C>, held: Rests, heel: C) -
             // Too far for the draft to follow: it is found anew.
             let part = (LONGEST / turns).min(1.0);
             at = [0.0, at[1] + part * (next[1] - at[1]), at[2] + part * (next[2] - at[2])];
-            at[0] = plain.hull.level([at[1], at[2]], volume);
+            at[0] = plain.level([at[1], at[2]], volume);
             continue;
         }
         rests = turns + ((next[0] - at[0]) / (1.0 + next[0].abs())).abs() < NEAR;

@@ -78,7 +78,7 @@ impl Finding<4> for Wetting {
     }
 
     fn find<C: Calc>((on, plane): &(Floating<C>, [C; 3])) -> Result<[C; 4], Fault> {
-        let cut = on.hull.cut(*plane);
+        let cut = on.cut(*plane);
         let mut moment = cut.moment.map(|moment| on.water * moment);
         for tank in &on.tanks {
             let (moved, _) = tank.leaning([plane[1], plane[2]]);

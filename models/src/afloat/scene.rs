@@ -2,15 +2,17 @@
 
 use crate::afloat::drawing::drawn;
 use crate::afloat::gust::GustGiven;
+use crate::afloat::hull::FloodedSpace;
 use crate::afloat::levers::{ToldHeel, raised};
 use crate::afloat::loss::LossRule;
-use crate::afloat::outline::{LEVERS, OUTLINE};
+use crate::afloat::openings::Opening;
+use crate::afloat::outline::{LEVERS, OPENINGS, OUTLINE};
 use crate::afloat::rig::{CraneRig, PEDESTAL, TURNING};
 use crate::afloat::shape;
 use crate::afloat::stages::{FloatingCrane, Given, MadeInputs};
 use crate::afloat::start::{self, DYNAMICS, MOVING, MovingHull};
 use crate::afloat::symbols as s;
-use crate::afloat::weights::{HullMass, HullWind, TankGiven, Weighed, WindageArea};
+use crate::afloat::weights::{HullMass, HullTow, HullWind, TankGiven, Weighed, WindageArea};
 use crate::component::description::{Described, Description, Vocabulary};
 use crate::component::mechanism::{Entry, Solver};
 use crate::component::moving::MovingComponent;
@@ -57,8 +59,11 @@ pub const KEYS: &[Key] = keys! { s:
     Key::new("tanks", Kind::Tables(TANK, MANY), "Rectangular tanks that are not full.").optional(),
     Key::table("pedestal", PEDESTAL, "Where the crane stands, and how high its load is hung."),
     Key::new("turning", Kind::Tables(TURNING, MANY), "Masses that slew with a crane that luffs, besides its luffing mechanism.").optional(),
+    Key::new("openings", Kind::Tables(OPENING, MANY), "Openings through which water comes in: areas of levers end where the first of them comes to the water.").optional(),
     CARRIED,
     Key::part("wind", WIND, "Wind on the hull and the crane."),
+    Key::part("tow", TOW, "A rope that tows the hull."),
+    Key::new("flooded", Kind::Tables(FLOODED, MANY), "Rectangular compartments within the hull that are open to the water.").optional(),
     Key::new("heels", Kind::Quantities(&s::PHI_H, Sign::Positive, [1, MANY]), "Heels at which righting levers are told.").optional(),
     Key::kinds("loss", LOSS, "What a loss of load is judged by."),
     Key::part("gust", GUST, "A sudden wind on the same areas."),
@@ -80,9 +85,12 @@ static TANK: &[Key] = keys! { s:
     RHO_T > 0 [usually(1000.0)], L_T > 0, B_T > 0, D_T > 0, H_T > 0, X_T, Y_T [usually(0.0)], Z_T [usually(0.0)]
 };
 static AREA: &[Key] = keys! { s: A_W >= 0, Z_W };
+static OPENING: &[Key] = keys! { s: X_O, Y_O, Z_O };
 static WIND: &[Key] = keys! { s: P_W >= 0 [or_input], CHI_W, Z_L;
     Key::new("areas", Kind::Tables(AREA, MANY), "Areas on which it acts, with their heights.")
 };
+static TOW: &[Key] = keys! { s: F_P >= 0, CHI_P, Z_P, Z_LP };
+static FLOODED: &[Key] = keys! { s: MU_F > 0, L_F > 0, B_F > 0, D_F > 0, X_F, Y_F [usually(0.0)], Z_F [usually(0.0)] };
 static GUST: &[Key] = keys! { s: P_G >= 0, PHI_A >= 0 [usually(0.0)] };
 static LOSS: &[(&str, &[Key])] = &[
     (
@@ -101,7 +109,7 @@ const MOTION: &[Key] = &Motion::keys(
     &s::PSI_SL,
     (&s::OMEGA_SL, "Angular velocity of slewing."),
 );
-const LIMITS: &[Key] = &Limit::keys::<7>(OUTLINE.limits);
+const LIMITS: &[Key] = &Limit::keys::<9>(OUTLINE.limits);
 
 /// What the rates cost, in s.
 const COST: [f64; 2] = [1.5e-6, 0.0];
@@ -142,6 +150,7 @@ fn suits(v: &Values, found: &mut Vec<Diagnostic>) {
             found.push(table.refuse(s::H_T.id, what, "not below its top", help));
         }
     }
+    shape::within(v, found);
     for (name, what) in [
         ("loss", "a loss of load without phi_f"),
         ("gust", "a sudden wind without phi_f"),
@@ -155,6 +164,21 @@ fn suits(v: &Values, found: &mut Vec<Diagnostic>) {
         let help = "give [hull.wind] with its areas, if only with p_w = \"0 Pa\"";
         found.push(v.refuse("gust", "a sudden wind on no areas", "no areas", help));
     }
+}
+
+/// Columns of the tables of openings, and of righting levers.
+const OPENED: &[&Symbol] = listed!(s: X_O, Y_O, Z_O, F_O, PHI_O, PHI_O0);
+const TOLD: &[&Symbol] = listed!(s: PHI_H, GZ, GZ_W, E, E_W);
+
+/// All of what there are several of at a slewing angle (rad); `None` where there is none.
+fn all_told(model: &mut Standing, at: f64, columns: &'static [&'static Symbol]) -> Option<Table> {
+    let found: Vec<Vec<f64>> = columns.iter().map(|symbol| numbered(model, symbol, at)).collect();
+    let row = |i: usize| found.iter().map(|column| column[i]).collect();
+    let rows: Vec<_> = (0..found[0].len()).map(row).collect();
+    (!rows.is_empty()).then(|| Table {
+        columns: columns.to_vec(),
+        rows,
+    })
 }
 
 impl AfloatScene {
@@ -224,11 +248,14 @@ impl Described for AfloatScene {
             tanks: each(v, "tanks", TankGiven::read)?,
             wind: v.part("wind", HullWind::read)?,
             areas: wind.map_or(Some(Vec::new()), |wind| each(wind, "areas", WindageArea::read))?,
+            tow: v.part("tow", HullTow::read)?,
+            flooded: each(v, "flooded", FloodedSpace::read)?,
             heels: v
                 .numbers("heels")
                 .iter()
                 .map(|(phi_h, _)| ToldHeel { phi_h: *phi_h })
                 .collect(),
+            openings: each(v, "openings", Opening::read)?,
             limit: v.has(s::PHI_F.id).then(|| one(&s::PHI_F)).flatten(),
             rule: v.part("loss", LossRule::read)?,
             gust: v.part("gust", GustGiven::read)?,
@@ -379,12 +406,17 @@ impl Described for AfloatScene {
             (None, None) => None,
         };
         let wind = this.given.wind.map(|_| "afloat_wind");
-        own.into_iter().chain(slews).chain(wind).chain(rule).collect()
+        let tow = this.given.tow.map(|_| "afloat_tow");
+        let flooded = (!this.given.flooded.is_empty()).then_some("afloat_flooded");
+        let more = slews.into_iter().chain(wind).chain(tow).chain(flooded);
+        own.into_iter().chain(more).chain(rule).collect()
     }
 
     fn uncovered(this: &Description<AfloatScene>) -> Vec<&'static str> {
         let wind = this.given.wind.is_none().then_some("wind");
+        let flooded = this.given.flooded.is_empty().then_some("afloat_flooded");
         wind.into_iter()
+            .chain(flooded)
             .chain(["afloat_motion", "strength", "load_cases"])
             .collect()
     }
@@ -406,24 +438,19 @@ impl Described for AfloatScene {
                 numbers: vec![1, 2, 3],
             });
         }
-        if this.given.heels.is_empty() {
+        let (openings, levers) = (all_told(model, at, OPENED), all_told(model, at, TOLD));
+        let Some(position) = sheet.positions.first_mut() else {
             return;
-        }
-        let columns = vec![&s::PHI_H, &s::GZ, &s::GZ_W, &s::E, &s::E_W];
-        let found: Vec<Vec<f64>> = columns.iter().map(|symbol| numbered(model, symbol, at)).collect();
-        let rows = (0..this.given.heels.len()).map(|i| found.iter().map(|column| column[i]).collect());
-        let table = Table {
-            columns: columns.clone(),
-            rows: rows.collect(),
         };
-        let mut told = explained::<AfloatScene>(model, (at, Some(this.given.heels.len())), &[], LEVERS);
-        told.iter_mut().take(1).for_each(|section| {
-            section.table = Some(Table {
-                columns: table.columns.clone(),
-                rows: table.rows.clone(),
-            })
-        });
-        if let Some(position) = sheet.positions.first_mut() {
+        if let Some(section) = position.sections.iter_mut().find(|section| section.id == OPENINGS) {
+            section.table = openings;
+        }
+        if let Some(table) = levers {
+            let last = Some(table.rows.len());
+            let mut told = explained::<AfloatScene>(model, (at, last), &[], LEVERS);
+            if let Some(section) = told.first_mut() {
+                section.table = Some(table);
+            }
             position.sections.extend(told);
         }
     }

@@ -88,6 +88,41 @@ pub fn sections(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Offsets> {
     })
 }
 
+/// Refuses flooded compartments that are not within a hull that is a box, or beyond the ends of one with sections.
+pub fn within(v: &Values, found: &mut Vec<Diagnostic>) {
+    let size = |symbol: &Symbol| v.number(symbol.id).map(|whole| whole / 2.0);
+    let [long, broad] = [&s::L, &s::B].map(size);
+    let ends: Vec<f64> = (v.tables("sections").iter())
+        .filter_map(|table| table.number(s::X_H.id))
+        .collect();
+    let along = long
+        .map(|half| [-half, half])
+        .or(ends.first().copied().zip(ends.last().copied()).map(Into::into));
+    let across = broad.map(|half| [-half, half]);
+    let up = v.number(s::D.id).map(|deep| [0.0, deep]);
+    for table in v.tables("flooded") {
+        let middle = |place: &Symbol, size: &Symbol| {
+            let half = table.number(size.id)? / 2.0;
+            let at = table.number(place.id)?;
+            Some([at - half, at + half])
+        };
+        let high = (table.number(s::Z_F.id).zip(table.number(s::D_F.id))).map(|(low, deep)| [low, low + deep]);
+        for (own, whole, size) in [
+            (middle(&s::X_F, &s::L_F), along, &s::L_F),
+            (middle(&s::Y_F, &s::B_F), across, &s::B_F),
+            (high, up, &s::D_F),
+        ] {
+            let Some((own, whole)) = own.zip(whole) else { continue };
+            if own[0] < whole[0] || own[1] > whole[1] {
+                let [from, to, low, high] = [own[0], own[1], whole[0], whole[1]].map(|at| size.written(at));
+                let what = format!("a flooded compartment from {from} to {to}");
+                let help = format!("it lies within the hull: from {low} to {high}");
+                found.push(table.refuse(size.id, what, "beyond the hull", help));
+            }
+        }
+    }
+}
+
 /// Between neighbouring sections, and at the ends: alike on both sides of the centre line.
 fn faces(count: usize, half: usize) -> Vec<Triangle> {
     let ring = 2 * half;

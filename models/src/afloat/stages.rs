@@ -6,16 +6,18 @@ use crate::afloat::driving::{DriveMoments, LuffingCommand, LuffingServo, luffing
 use crate::afloat::gust::{Gust, GustGiven};
 use crate::afloat::head::HeadPlace;
 use crate::afloat::holding::HeldAtRest;
-use crate::afloat::hull::{BoxHull, Floating, Offsets};
+use crate::afloat::hull::{BoxHull, Floating, FloodedSpace, Offsets};
 use crate::afloat::levers::{RightingLever, ToldHeel, levers};
 use crate::afloat::loaded::Loaded;
 use crate::afloat::loss::{LoadLost, LossRule, residual};
+use crate::afloat::openings::{AreaEnds, FloodedOpening, Opening, flooding};
 use crate::afloat::posture::Posture;
 use crate::afloat::riding::{BuoyedMass, HullMotion, RidingHull, WaterForces, WettedHull, clearing};
+use crate::afloat::small::SmallAngles;
 use crate::afloat::swaying::{RopedLoad, SlewingCommand, SlewingServo, Swaying, SwayingRates};
 use crate::afloat::symbols as s;
-use crate::afloat::upright::{SmallAngles, Upright};
-use crate::afloat::weights::{CranePlace, DeadLoad, HullMass, HullWind, TankGiven, WindageArea};
+use crate::afloat::upright::Upright;
+use crate::afloat::weights::{CranePlace, DeadLoad, HullMass, HullTow, HullWind, TankGiven, WindageArea};
 use crate::component::part::{Component, Port, ports};
 use crate::component::stages::{Found, stages};
 use crate::kernel::group::{One, group};
@@ -43,7 +45,10 @@ stages! {
         Parameter tanks: Vec<TankGiven<C>>,
         Parameter wind: Option<HullWind<C>>,
         Parameter areas: Vec<WindageArea<C>>,
+        Parameter tow: Option<HullTow<C>>,
+        Parameter flooded: Vec<FloodedSpace<C>>,
         Parameter heels: Vec<ToldHeel<C>>,
+        Parameter openings: Vec<Opening<C>>,
         Parameter limit: Option<One<C>>,
         Parameter rule: Option<LossRule<C>>,
         Parameter gust: Option<GustGiven<C>>,
@@ -61,21 +66,23 @@ stages! {
         Fixed luffer: Option<Luffer>,
         Fixed inputs: MadeInputs,
     } find {
-        floating: Floating<C> = Floating::new(built, offsets, tanks, density, gravity) => _;
-        dead: DeadLoad<C> = DeadLoad::new(masses, tanks, gravity, wind, areas);
+        floating: Floating<C> = Floating::new(built, offsets, tanks, flooded, density, gravity) => _;
+        dead: DeadLoad<C> = DeadLoad::new(masses, tanks, gravity, wind, areas, tow);
         luffed: Luffed<C> = luffed(luffer[!], held, luffing);
         luffed_rates: LuffedRates<C> = LuffedRates::new(luffed);
         hung: HungPoint<C> = HungPoint::new(reach, height, luffed[?]);
         crane: CraneWeights<C> = CraneWeights::new(psi, place, height, luffed, turning);
         loaded: Loaded<C> = Loaded::new(psi, dead, place, hung, load, crane[?]);
-        upright: Upright<C> = Upright::new(floating, density, gravity, tanks, loaded);
+        upright: Upright<C> = Upright::new(floating, density, gravity, tanks, flooded, loaded);
         small: SmallAngles<C> = SmallAngles::new(loaded, upright);
         posture: Posture<C> = Posture::new(built, floating, psi, load, loaded, upright);
         holding: HeldAtRest<C> = HeldAtRest::new(psi, load, luffed, luffed_rates, crane, posture);
         levers[heels]: Vec<RightingLever<C>> = levers(floating, loaded, upright, heels);
-        residual: C = residual(floating, loaded, posture, limit[!]) => A_RES;
-        lost: LoadLost<C> = LoadLost::new(floating, loaded, posture, limit[!], rule[!]);
-        struck: Gust<C> = Gust::new(floating, loaded, posture, limit[!], gust[!], wind[!], areas);
+        flooding[openings]: Vec<FloodedOpening<C>> = flooding(floating, loaded, posture, openings);
+        ends: AreaEnds<C> = AreaEnds::new(limit[!], flooding) => _;
+        residual: C = residual(floating, loaded, posture, ends) => A_RES;
+        lost: LoadLost<C> = LoadLost::new(floating, loaded, posture, ends, rule[!]);
+        struck: Gust<C> = Gust::new(floating, loaded, posture, ends, gust[!], wind[!], areas);
         riding: RidingHull<C> = RidingHull::new(moved[!], dead);
         wetted: WettedHull<C> = WettedHull::new(floating, riding);
         clear: C = clearing(floating, riding) => F_M;
@@ -107,11 +114,13 @@ impl Component for FloatingCrane {
         hull "Hull on the water.": heel PHI, trim THETA, draft T;
     };
 
-    /// What wind, tanks, masses that slew and a luffing mechanism would give is no result without them.
+    /// What wind, tow, tanks, flooded compartments, masses that slew and a luffing mechanism would give is no result without them.
     fn has(given: &Given<f64>, symbol: &'static Symbol) -> bool {
         let there = |of: &[&'static Symbol]| of.contains(&symbol);
         (given.wind.is_some() || !there(listed!(s: M_W)))
+            && (given.tow.is_some() || !there(listed!(s: M_P)))
             && (!given.tanks.is_empty() || !there(listed!(s: GG, GG_L)))
+            && (!given.flooded.is_empty() || !there(listed!(s: Y_B)))
             && (!given.turning.is_empty() || !there(listed!(s: M_ETA)))
             && (given.luffer.is_some() || !there(listed!(s: H_S)))
             && (given.luffing.is_some() || !there(listed!(s: D_THETA_1, D_OMEGA_1)))

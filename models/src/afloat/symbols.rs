@@ -44,9 +44,23 @@ symbols! {
     Z_L: "z_l" "z_l" M / M, "Height above the keel at which the water holds the hull against the wind.", "input";
     A_W: "A_w" "A_(\"w\" i)" M2 / M2 [not_negative], "Wind area with its shape coefficient.", "input";
     Z_W: "z_w" "z_(\"w\" i)" M / M, "Centre of a wind area, above the keel.", "input";
+    F_P: "F_p" "F_p" N / KN [not_negative], "Pull of a rope that tows the hull.", "input";
+    CHI_P: "chi_p" "chi_p" RAD / DEG, "Direction to which it pulls, from the bow; positive counter-clockwise, seen from above.", "input";
+    Z_P: "z_p" "z_p" M / M, "Height above the keel at which it pulls.", "input";
+    Z_LP: "z_lp" "z_(l p)" M / M, "Height above the keel at which the water holds the hull against it.", "input";
+    MU_F: "mu_f" "mu_(f i)" ONE / ONE [above_to(0.0, 1.0), unconfirmed], "Permeability of a flooded compartment: the share of it that water fills.", "input";
+    L_F: "l_f" "l_(f i)" M / M [positive], "Length of a flooded compartment.", "input";
+    B_F: "b_f" "b_(f i)" M / M [positive], "Breadth of a flooded compartment.", "input";
+    D_F: "d_f" "d_(f i)" M / M [positive], "Depth of a flooded compartment, to the deck above it.", "input";
+    X_F: "x_f" "x_(f i)" M / M, "Middle of a flooded compartment, forward of the origin.", "input";
+    Y_F: "y_f" "y_(f i)" M / M, "Middle of a flooded compartment, to the left of the centre line.", "input";
+    Z_F: "z_f" "z_(f i)" M / M, "Bottom of a flooded compartment, above the keel.", "input";
     P_G: "p_g" "p_g" PA / PA [not_negative], "Pressure of a sudden wind, besides the one that blows.", "input";
     PHI_A: "phi_a" "phi_a" RAD / DEG [from_to(0.0, 1.4), unconfirmed], "Roll against the sudden wind from which the hull comes.", "input";
     PHI_H: "phi_h" "phi_(h i)" RAD / DEG [above_to(0.0, 1.4)], "Heel at which the righting lever is told.", "input";
+    X_O: "x_o" "x_(o i)" M / M, "Opening through which water comes in, forward of the origin.", "input";
+    Y_O: "y_o" "y_(o i)" M / M, "Opening through which water comes in, to the left of the centre line.", "input";
+    Z_O: "z_o" "z_(o i)" M / M, "Opening through which water comes in, above the keel.", "input";
     PHI_F: "phi_f" "phi_f" RAD / DEG [above_to(0.0, 1.4)], "Heel up to which areas of levers count: of flooding, or another limit of the criterion.", "input";
     K_A: "k_A" "k_A" ONE / ONE [positive, unconfirmed], "Times that the area that stops the roll after a loss of load must be the one that drives it.", "input";
     C_A: "c_A" "c_A" M_RAD / M_DEG [not_negative, unconfirmed], "Area by which the one that stops the roll after a loss of load must be greater than the one that drives it.", "[46 CFR 173, 173.025]";
@@ -57,6 +71,7 @@ symbols! {
     M_T0: "M_T0" "M_(T 0)" N_M / KN_M, "Moment of the weights without load, and of the wind, about the centre line; positive lowers the left side.", "equilibrium";
     M_V0: "M_V0" "M_(V 0)" N_M / KN_M, "Moment of the weights without load about the keel.", "equilibrium";
     M_W: "M_w" "M_\"w\"" N_M / KN_M, "Moment of the wind on the upright hull.", "equilibrium";
+    M_P: "M_p" "M_p" N_M / KN_M, "Moment of the pull on the upright hull.", "equilibrium";
     X_Q: "x_Q" "x_Q" M / M, "Point of suspension, forward of the origin.", "derived";
     Y_Q: "y_Q" "y_Q" M / M, "Point of suspension, to the left of the centre line.", "derived";
     W: "W" "W" N / KN, "Weight with the load: displacement.", "derived";
@@ -84,6 +99,7 @@ symbols! {
     T_0: "T_0" "T_0" M / M, "Draft of the upright hull.", "derived";
     X_B: "x_B" "x_B" M / M, "Centre of buoyancy of the upright hull, forward of the origin.", "derived";
     Z_B: "z_B" "z_B" M / M, "Centre of buoyancy of the upright hull, above the keel (KB).", "derived";
+    Y_B: "y_B" "y_B" M / M, "Centre of buoyancy of the upright hull with flooded compartments, to the left of the centre line.", "derived";
     A_WP: "A_WP" "A_\"WP\"" M2 / M2, "Waterplane area of the upright hull.", "derived";
     I_T: "I_T" "I_T" M4 / M4, "Second moment of the waterplane about its axis along the hull.", "derived";
     I_L: "I_L" "I_L" M4 / M4, "Second moment of the waterplane about its axis across the hull.", "derived";
@@ -129,6 +145,11 @@ symbols! {
     GZ_W: "GZ_w" "\"GZ\"_(\"w\" i)" M / M, "Righting lever by the wall-sided form.", "[Ports001, 7.3]";
     E_W: "e_w" "e_(\"w\" i)" M_RAD / M_DEG, "Area under the righting lever by the wall-sided form.", "[Ports001, 7.3]";
     A_RES: "A_res" "A_\"res\"" M_RAD / M_DEG, "Area between righting and heeling levers from the heel under load up to the one that counts.", "[46 CFR 173, 173.020]";
+
+    // Openings.
+    F_O: "f_o" "f_(o i)" M / M, "Height of an opening over the water.", "derived";
+    PHI_O: "phi_o" "phi_(o i)" RAD / DEG [infinite("where it does not come to the water up to 80°")], "Heel at which an opening comes to the water under the load, to the side to which the hull heels, by amount.", "derived";
+    PHI_O0: "phi_o0" "phi_(o 0 i)" RAD / DEG [infinite("where it does not come to the water up to 80°")], "Heel at which an opening comes to the water without the load, to the side to which the hull rolls when that is lost, by amount.", "derived";
 
     // Loss of load.
     PHI_Q0: "phi_Q0" "phi_(Q 0)" RAD / DEG, "Heel after the load is lost.", "equilibrium";
@@ -245,6 +266,8 @@ symbols! {
     THETA_MAX: "theta_max" "theta_max" RAD / DEG, "Greatest trim in the working range, by amount.", "derived";
     BETA_MAX: "beta_max" "beta_max" RAD / DEG, "Greatest inclination in the working range.", "derived";
     F_MIN: "f_min" "f_min" M / M, "Least freeboard in the working range.", "derived";
+    F_O_MIN: "f_o_min" "f_(o,min)" M / M, "Least height of the openings over the water in the working range.", "derived";
+    PHI_O_MIN: "phi_o_min" "phi_(o,min)" RAD / DEG [infinite("where none comes to the water up to 80°")], "Least heel at which an opening comes to the water under the load in the working range.", "derived";
     PHI_2_MAX: "phi_2_max" "phi_(2,max)" RAD / DEG, "Greatest heel after a loss of load in the working range, by amount.", "derived";
     A_RES_MIN: "A_res_min" "A_(\"res\",min)" M_RAD / M_DEG, "Least residual area in the working range.", "derived";
     D_A_MIN: "d_A_min" "Delta A_min" M_RAD / M_DEG, "Least excess of the area that stops the roll after a loss of load in the working range.", "derived";

@@ -1,6 +1,6 @@
-//! The upright hull, and what its metacentric heights say.
+//! The upright hull and its metacentric heights.
 
-use crate::afloat::hull::Floating;
+use crate::afloat::hull::{Floating, FloodedSpace};
 use crate::afloat::loaded::Loaded;
 use crate::afloat::rest::quiet;
 use crate::afloat::symbols as s;
@@ -26,8 +26,8 @@ impl Finding<8> for Floated {
 
     fn find<C: Calc>((on, volume): &(Floating<C>, C)) -> Result<[C; 8], Fault> {
         let zero = C::constant(0.0);
-        let hull = on.hull.map(&mut |x| x.value());
-        let [_, top] = hull.heights([0.0; 2]);
+        let hull = on.map(&mut |x| x.value());
+        let [_, top] = hull.hull.heights([0.0; 2]);
         let whole = hull.cut([top + 1.0, 0.0, 0.0]).volume;
         if volume.value() >= whole {
             return Err(Fault::outside(format!(
@@ -37,10 +37,10 @@ impl Finding<8> for Floated {
             )));
         }
         let level = C::constant(hull.level([0.0; 2], volume.value()));
-        let cut = on.hull.cut([level, zero, zero]);
+        let cut = on.cut([level, zero, zero]);
         // A last step of Newton's method brings the derivatives.
         let draft = level + (*volume - cut.volume) / cut.area;
-        let cut = on.hull.cut([draft, zero, zero]);
+        let cut = on.cut([draft, zero, zero]);
         let [along, _, across] = cut.central();
         // Of a hull that is alike at both ends rounding alone leaves something.
         let rounding = 1e-13 * (along / cut.area).sqrt().value();
@@ -62,12 +62,32 @@ impl Finding<8> for Floated {
     }
 }
 
+/// How far beside the centre line the upright hull bears, at a draft.
+struct Aside;
+
+impl Finding<1> for Aside {
+    type From<C: Calc> = (Floating<C>, C);
+    const NAMES: [&'static Symbol; 1] = *listed!(s: Y_B);
+
+    fn map<C: Calc, D: Calc>(from: &(Floating<C>, C), f: &mut dyn FnMut(C) -> D) -> (Floating<D>, D) {
+        Floated::map(from, f)
+    }
+
+    fn find<C: Calc>((on, draft): &(Floating<C>, C)) -> Result<[C; 1], Fault> {
+        let zero = C::constant(0.0);
+        let cut = on.cut([*draft, zero, zero]);
+        Ok([cut.moment[1] / cut.volume])
+    }
+}
+
 /// The upright hull: volume (m³), draft and centre of buoyancy (m), waterplane (m², m⁴), metacentric radii and heights (m), and
 /// heels (rad) up to which its form holds.
 #[derive(Clone, Copy, Debug)]
 pub struct Upright<C> {
     volume: C,
-    hull: [C; 8],
+    pub hull: [C; 8],
+    /// Centre of buoyancy beside the centre line (m), of a hull with flooded compartments.
+    pub aside: Option<C>,
     pub radius: [C; 2],
     lost: Option<[C; 2]>,
     pub height: [C; 2],
@@ -88,6 +108,7 @@ results! { Upright as u => {
     GM_L: u.height[1];
     PHI_D: u.hull[6];
     PHI_B: u.hull[7];
+    Y_B: u.aside.ok_or_else(absent)?;
 } }
 
 impl<C: Calc> Upright<C> {
@@ -107,11 +128,16 @@ impl<C: Scalar> Upright<C> {
         density: &One<C>,
         gravity: &One<C>,
         tanks: &[TankGiven<C>],
+        flooded: &[FloodedSpace<C>],
         loaded: &Loaded<C>,
     ) -> Result<Upright<C>, Fault> {
         let weight = loaded.all.weight;
         let volume = (weight / (**density * **gravity)).def(&s::NABLA);
         let hull = found::<Floated, C, 8>(&(on.clone(), volume))?;
+        let aside = match flooded {
+            [] => None,
+            _ => Some(found::<Aside, C, 1>(&(on.clone(), hull[0]))?[0]),
+        };
         let [_, _, buoyancy, _, across, along, ..] = hull;
         let radius = [(across / volume).def(&s::BM), (along / volume).def(&s::BM_L)];
         let lost = (!tanks.is_empty()).then(|| {
@@ -144,43 +170,10 @@ impl<C: Scalar> Upright<C> {
         Ok(Upright {
             volume,
             hull,
+            aside,
             radius,
             lost,
             height,
         })
-    }
-}
-
-/// Heel and trim by the metacentric heights, and both combined: slopes, and angles (rad).
-#[derive(Clone, Copy, Debug)]
-pub struct SmallAngles<C> {
-    slopes: [C; 2],
-    angles: [C; 3],
-}
-results! { SmallAngles as a => {
-    T_PHI_M: a.slopes[0];
-    T_THETA_M: a.slopes[1];
-    PHI_M: a.angles[0];
-    THETA_M: a.angles[1];
-    PHI_R: a.angles[2];
-} }
-
-impl<C: Calc> SmallAngles<C> {
-    /// tan φ = M_T/(W GM), tan θ = (M_L − W x_B)/(W GM_L), tan² φ_r = tan² φ + tan² θ. [Ports001, 7.3]
-    pub fn new(loaded: &Loaded<C>, upright: &Upright<C>) -> SmallAngles<C> {
-        let all = &loaded.all;
-        let across = (all.across / (all.weight * upright.height[0])).def(&s::T_PHI_M);
-        let along = ((all.along - all.weight * upright.hull[1]) / (all.weight * upright.height[1])).def(&s::T_THETA_M);
-        let squares = across.square() + along.square();
-        let both = if squares.value() > 0.0 { squares.sqrt() } else { squares };
-        let one = C::constant(1.0);
-        SmallAngles {
-            slopes: [across, along],
-            angles: [
-                C::direction(one, across).def(&s::PHI_M),
-                C::direction(one, along).def(&s::THETA_M),
-                C::direction(one, both).def(&s::PHI_R),
-            ],
-        }
     }
 }

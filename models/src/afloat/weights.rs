@@ -31,6 +31,11 @@ quantities! {
     WindageArea { a_w: A_W, z_w: Z_W }
 }
 
+quantities! {
+    /// A rope that pulls the hull.
+    HullTow { f_p: F_P, chi_p: CHI_P, z_p: Z_P, z_lp: Z_LP }
+}
+
 impl<C: Calc> TankGiven<C> {
     /// Weight of the liquid, in N: ρ g l b h.
     pub fn weight(&self, gravity: &One<C>) -> C {
@@ -83,17 +88,20 @@ pub struct DeadLoad<C> {
     /// Those of the weights alone.
     pub own: [C; 2],
     wind: Option<C>,
+    tow: Option<C>,
 }
 results! { DeadLoad as d => {
     W_0: d.all.weight;
     M_W: d.wind.ok_or_else(absent)?;
+    M_P: d.tow.ok_or_else(absent)?;
     M_L0: d.all.along;
     M_T0: d.all.across;
     M_V0: d.all.up;
 } }
 
 impl<C: Calc> DeadLoad<C> {
-    /// W_0 = Σ G, M_L0 = Σ G x + M_w cos χ, M_T0 = Σ G y + M_w sin χ, M_V0 = Σ G z, M_w = p Σ A (z_w − z_l).
+    /// W_0 = Σ G, M_L0 = Σ G x + M_w cos χ, M_T0 = Σ G y + M_w sin χ, M_V0 = Σ G z, M_w = p Σ A (z_w − z_l); a rope that
+    /// tows adds to both likewise, M_p = F_p (z_p − z_lp).
     ///
     /// # Errors
     /// Nothing weighs anything.
@@ -103,6 +111,7 @@ impl<C: Calc> DeadLoad<C> {
         gravity: &One<C>,
         wind: &Option<HullWind<C>>,
         areas: &[WindageArea<C>],
+        tow: &Option<HullTow<C>>,
     ) -> Result<DeadLoad<C>, Fault> {
         let with = |own: C, each: &dyn Fn(&TankGiven<C>) -> C| match tanks {
             [] => own,
@@ -122,11 +131,15 @@ impl<C: Calc> DeadLoad<C> {
             let arms = sum(areas.iter().map(|area| area.a_w * (area.z_w - wind.z_l)));
             ((wind.p_w * arms).def(&s::M_W), wind.chi_w.sin_cos())
         });
+        let towed = tow.as_ref().map(|tow| {
+            let moment = (tow.f_p * (tow.z_p - tow.z_lp)).def(&s::M_P);
+            (moment, tow.chi_p.sin_cos())
+        });
         let own = [along, across];
-        let [along, across] = match blown {
-            Some((moment, (sin, cos))) => [along + moment * cos, across + moment * sin],
-            None => own,
-        };
+        let pushed = blown.iter().chain(&towed);
+        let [along, across] = pushed.fold(own, |[along, across], &(moment, (sin, cos))| {
+            [along + moment * cos, across + moment * sin]
+        });
         let all = Weighed {
             weight,
             along: along.def(&s::M_L0),
@@ -137,6 +150,7 @@ impl<C: Calc> DeadLoad<C> {
             all,
             own,
             wind: blown.map(|(moment, _)| moment),
+            tow: towed.map(|(moment, _)| moment),
         })
     }
 }

@@ -11,6 +11,7 @@ use crate::component::judged::{Judged, judged};
 use crate::component::outline::{Explained, Greatest, Line, Most, Outline, Published, SectionOutline};
 use crate::component::part::{Face, Part};
 use crate::component::peaks::Peaks;
+use crate::component::probe::slot;
 use crate::component::running::Running;
 use crate::component::sensitivity::sensitivity;
 use crate::component::shaped;
@@ -289,23 +290,22 @@ pub fn compared(published: &Published, model: &mut Standing) -> Vec<Result<Vec<C
 }
 
 /// Of which of several bodies, numbered from 1, the formulas speak: of the one that governs at the worst position, else
-/// of the first. `None` where there are not several.
+/// of the first; where that result is not numbered, of the first one that is and that sections tell. `None` where there are
+/// not several.
 fn body(model: &mut Standing, outline: &'static Outline, governing: &[Summary]) -> Option<usize> {
     let (_, symbol) = outline.worst[0];
-    let of = outline.extremes.iter().find(|extreme| extreme.symbol == symbol)?.of;
-    model
-        .variables()
-        .iter()
-        .find(|variable| variable.symbol == of)?
-        .number?;
-    let found = governing
-        .iter()
-        .find(|found| found.symbol == symbol)
-        .and_then(|found| found.at);
-    let own = outline.extremes.iter().find(|extreme| extreme.symbol == symbol);
-    let several = |extreme: &&Greatest| indices(model, extreme.of).len() > 1;
-    let extreme = own.filter(several).or(outline.extremes.iter().find(several)).or(own);
-    let Some((extreme, (_, at))) = extreme.zip(found) else {
+    let own = outline.extremes.iter().find(|extreme| extreme.symbol == symbol)?;
+    let is_numbered = (model.variables().iter()).any(|variable| variable.symbol == own.of && variable.number.is_some());
+    let told = |of: &'static Symbol| {
+        let stage = slot(model, of).map(|slot| model.part().stages()[usize::from(slot.stage)].id);
+        let tells = |what: &Explained| matches!(what, Explained::Stage(id) if Some(*id) == stage);
+        outline.sections.iter().any(|(_, list)| list.iter().any(tells))
+    };
+    let several = |extreme: &&Greatest| indices(model, extreme.of).len() > 1 && (is_numbered || told(extreme.of));
+    let others = Some(own).filter(several).or(outline.extremes.iter().find(several));
+    let extreme = others.or(Some(own).filter(|_| is_numbered))?;
+    let found = governing.iter().find(|found| found.symbol == symbol);
+    let Some((_, at)) = found.and_then(|found| found.at) else {
         return Some(1);
     };
     let all = numbered(model, extreme.of, at);

@@ -64,6 +64,15 @@ impl<C: Calc> Cut<C> {
         self
     }
 
+    /// Without a share of another body below the same plane, which lies within it.
+    pub fn less(&mut self, other: &Cut<C>, share: C) {
+        self.volume -= share * other.volume;
+        self.area -= share * other.area;
+        let own = self.moment.iter_mut().chain(&mut self.first).chain(&mut self.second);
+        let taken = other.moment.iter().chain(&other.first).chain(&other.second);
+        own.zip(taken).for_each(|(own, taken)| *own -= share * *taken);
+    }
+
     /// Second moments of the area about its own centre.
     pub fn central(&self) -> [C; 3] {
         let ([x, y], [xx, xy, yy]) = (self.first, self.second);

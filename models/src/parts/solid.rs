@@ -133,33 +133,42 @@ impl<C: Calc> Solid<C> {
 }
 
 impl Solid<f64> {
-    /// Level (m) of the plane of these slopes below which a volume (m³) lies, to a part of the solid's height: Newton's method
-    /// between ends that close in. The whole solid, or nothing of it, where it has not as much.
+    /// As [`level`], of a volume (m³) of this solid.
     #[must_use]
     #[inline(never)]
-    pub fn level(&self, [a, b]: [f64; 2], volume: f64) -> f64 {
-        let [mut low, mut high] = self.heights([a, b]);
-        let size = high - low;
-        let mut level = f64::midpoint(low, high);
-        for _ in 0..200 {
-            let cut = self.cut([level, a, b]);
-            let short = volume - cut.volume;
-            if short > 0.0 {
-                low = level
-            } else {
-                high = level
-            }
-            let next = level + short / cut.area;
-            let next = if next > low && next < high {
-                next
-            } else {
-                f64::midpoint(low, high)
-            };
-            if (next - level).abs() <= NEAR * size {
-                return next;
-            }
-            level = next;
-        }
-        level
+    pub fn level(&self, slopes: [f64; 2], volume: f64) -> f64 {
+        level(self.heights(slopes), slopes, volume, |plane| self.cut(plane))
     }
+}
+
+/// Level (m) of the plane of slopes below which a volume (m³) lies, to a part of the heights (m) between which it is sought:
+/// Newton's method between ends that close in. The whole, or nothing of it, where there is not as much.
+pub fn level(
+    [mut low, mut high]: [f64; 2],
+    [a, b]: [f64; 2],
+    volume: f64,
+    below: impl Fn([f64; 3]) -> Cut<f64>,
+) -> f64 {
+    let size = high - low;
+    let mut level = f64::midpoint(low, high);
+    for _ in 0..200 {
+        let cut = below([level, a, b]);
+        let short = volume - cut.volume;
+        if short > 0.0 {
+            low = level
+        } else {
+            high = level
+        }
+        let next = level + short / cut.area;
+        let next = if next > low && next < high {
+            next
+        } else {
+            f64::midpoint(low, high)
+        };
+        if (next - level).abs() <= NEAR * size {
+            return next;
+        }
+        level = next;
+    }
+    level
 }
