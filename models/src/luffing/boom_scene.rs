@@ -33,23 +33,6 @@ pub const fn motion(from: &'static Symbol, to: &'static Symbol, omega: &'static 
     Motion::keys([from, to], &b::PHI, (omega, "Angular velocity of the boom."))
 }
 
-/// What no book of such a boom calculates, around what is its own.
-#[must_use]
-pub fn uncovered(friction: &'static str) -> Vec<&'static str> {
-    vec![
-        "wind",
-        "sway",
-        "inertia",
-        "dynamic_coefficients",
-        friction,
-        "motor_brake",
-        "strength",
-        "buckling",
-        "stability",
-        "load_cases",
-    ]
-}
-
 /// Working range and balance of a checked table, in whose words the weights are `weights`; mistakes go to `found`.
 pub fn begun(v: &Values, weights: &str, found: &mut Vec<Diagnostic>) -> Option<(Motion, Option<Form<f64>>)> {
     let range = Motion::read(v.table("motion")?, found);

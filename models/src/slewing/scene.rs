@@ -411,6 +411,10 @@ impl Described for SlewingScene {
 
     fn uncovered(this: &Description<SlewingScene>) -> Vec<&'static str> {
         let sway = this.given.swung.is_none().then_some("sway");
+        let wind = match this.given.around {
+            Some(_) => "wind_on_structure",
+            None => "wind",
+        };
         let rest = [
             "dynamic_coefficients",
             "motor_brake",
@@ -418,7 +422,7 @@ impl Described for SlewingScene {
             "stability",
             "load_cases",
         ];
-        std::iter::once("wind").chain(sway).chain(rest).collect()
+        std::iter::once(wind).chain(sway).chain(rest).collect()
     }
 
     /// A load that swings stands where its rope and the angles of it put it; a controller has held the speed of the working

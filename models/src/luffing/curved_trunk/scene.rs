@@ -23,7 +23,7 @@ use crate::kernel::schema::{Key, Kind, SOURCE, Values};
 use crate::kernel::sign::Sign;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::luffing::at_rest::at_rest;
-use crate::luffing::boom_scene::{INTERPOLATION, MOVING_FIDELITY, balance_work, begun, motion, uncovered, vanishing};
+use crate::luffing::boom_scene::{INTERPOLATION, MOVING_FIDELITY, balance_work, begun, motion, vanishing};
 use crate::luffing::counterweight::chapter;
 use crate::luffing::curved_trunk::drawing::drawing;
 use crate::luffing::curved_trunk::moving::TrunkInertias;
@@ -315,11 +315,7 @@ impl Described for CurvedTrunk {
     }
 
     fn uncovered(this: &Description<CurvedTrunk>) -> Vec<&'static str> {
-        const FRICTION: &str = "pin_friction";
-        left(
-            levels::uncovered(uncovered(FRICTION), FRICTION, this.moving.as_ref()),
-            &this.cases,
-        )
+        left(levels::uncovered("pin_friction", this.moving.as_ref()), &this.cases)
     }
 
     /// The boom at the ends (faint) and in the middle of the working range, with trunk, tail, tie and the path of the head.

@@ -38,6 +38,7 @@ use crate::luffing::double_link::statics::{Centres, LoadMoment, Own};
 use crate::luffing::double_link::symbols as s;
 use crate::luffing::double_link::system::ByCentres;
 use crate::luffing::double_link::velocity::Velocity;
+use crate::luffing::moving::levels;
 use crate::luffing::moving::told::motion::moved;
 use crate::luffing::moving::told::shown::running;
 use crate::luffing::resistances;
@@ -332,21 +333,7 @@ impl Described for LuffingScene {
 
     /// At rest, besides the chapter of motion where it moves by itself.
     fn uncovered(this: &Luffing) -> Vec<&'static str> {
-        let rope = this.moving.as_ref().is_some_and(|moving| moving.rope.is_some());
-        let at_rest: &[&str] = match (&this.moving, rope) {
-            (Some(_), true) => &[],
-            (Some(_), false) => &["sway"],
-            (None, _) => &["sway", "inertia", "friction"],
-        };
-        let never = [
-            "dynamic_coefficients",
-            "motor_brake",
-            "strength",
-            "buckling",
-            "stability",
-            "load_cases",
-        ];
-        let all = ["wind"].iter().chain(at_rest).chain(&never).copied().collect();
+        let all = levels::uncovered("friction", this.moving.as_deref());
         resistances::scene::left(all, &this.cases)
     }
 

@@ -22,7 +22,7 @@ use crate::kernel::schema::{Key, SOURCE, Values};
 use crate::kernel::sign::Sign;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::luffing::at_rest::at_rest;
-use crate::luffing::boom_scene::{INTERPOLATION, MOVING_FIDELITY, balance_work, begun, motion, uncovered, vanishing};
+use crate::luffing::boom_scene::{INTERPOLATION, MOVING_FIDELITY, balance_work, begun, motion, vanishing};
 use crate::luffing::counterweight::chapter;
 use crate::luffing::ellipsograph::driving;
 use crate::luffing::ellipsograph::moving::GuidedInertias;
@@ -261,9 +261,8 @@ impl Described for Ellipsograph {
     }
 
     fn uncovered(this: &Description<Ellipsograph>) -> Vec<&'static str> {
-        const FRICTION: &str = "ellipsograph_friction";
         left(
-            levels::uncovered(uncovered(FRICTION), FRICTION, this.moving.as_ref()),
+            levels::uncovered("ellipsograph_friction", this.moving.as_ref()),
             &this.cases,
         )
     }

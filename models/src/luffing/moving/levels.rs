@@ -57,16 +57,28 @@ pub fn solver(moving: Option<&Moving>) -> Option<Solver> {
     })
 }
 
-/// Of what no book covers at rest, what one of a boom in motion does not either; `friction` is that of its pins.
+/// What no book of such a mechanism calculates, without what its motion does; `friction` is that of its pins.
 #[must_use]
-pub fn uncovered(mut at_rest: Vec<&'static str>, friction: &'static str, moving: Option<&Moving>) -> Vec<&'static str> {
-    let covered: &[&str] = match moving.map(|moving| moving.rope) {
-        None => &[],
-        Some(None) => &["inertia", friction],
-        Some(Some(_)) => &["sway", "inertia", friction],
+pub fn uncovered(friction: &'static str, moving: Option<&Moving>) -> Vec<&'static str> {
+    let rope = moving.and_then(|moving| moving.rope);
+    let wind = match rope.and_then(|rope| rope.air) {
+        Some(_) => "wind_on_structure",
+        None => "wind",
     };
-    at_rest.retain(|id| !covered.contains(id));
-    at_rest
+    let sway = rope.is_none().then_some("sway");
+    let moves = moving.is_none().then_some(["inertia", friction]);
+    std::iter::once(wind)
+        .chain(sway)
+        .chain(moves.into_iter().flatten())
+        .chain([
+            "dynamic_coefficients",
+            "motor_brake",
+            "strength",
+            "buckling",
+            "stability",
+            "load_cases",
+        ])
+        .collect()
 }
 
 /// Levels of the description of a boom whose scene has its motion in `moving`, and the inertias that only the motion asks for

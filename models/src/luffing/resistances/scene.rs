@@ -337,8 +337,20 @@ fn needs(v: &Values, balance: Option<&Form<f64>>, found: &mut Vec<Diagnostic>) {
 /// Of what a book does not calculate the rest that its cases do not have either.
 #[must_use]
 pub fn left(uncovered: Vec<&'static str>, cases: &Cases) -> Vec<&'static str> {
-    let mut left = uncovered;
-    const COVERED: [&str; 6] = ["wind", "sway", "inertia", "friction", "pin_friction", "load_cases"];
-    left.retain(|id| !cases.are_there() || !COVERED.contains(id));
-    left
+    let sizes = &cases.sizes;
+    let parts = sizes.teeth.is_some() || sizes.nut.is_some() || sizes.wire.is_some() || sizes.pins.is_some();
+    let rest = |id: &'static str| match id {
+        _ if !cases.are_there() => Some(id),
+        "wind" | "wind_on_structure" | "sway" | "inertia" | "friction" | "pin_friction" | "load_cases" => None,
+        "motor_brake" => Some(match (cases.motor.is_some(), cases.brake.is_some()) {
+            (true, true) => "gear",
+            (true, false) => "gear_brake",
+            (false, true) => "motor_gear",
+            (false, false) => id,
+        }),
+        "strength" if parts => Some("other_strength"),
+        "buckling" if sizes.strut.is_some() => Some("other_buckling"),
+        _ => Some(id),
+    };
+    uncovered.into_iter().filter_map(rest).collect()
 }

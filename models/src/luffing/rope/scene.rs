@@ -20,7 +20,7 @@ use crate::kernel::schema::{Key, SOURCE, Values};
 use crate::kernel::sign::Sign;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::luffing::at_rest::at_rest;
-use crate::luffing::boom_scene::{INTERPOLATION, MOVING_FIDELITY, balance_work, begun, motion, uncovered, vanishing};
+use crate::luffing::boom_scene::{INTERPOLATION, MOVING_FIDELITY, balance_work, begun, motion, vanishing};
 use crate::luffing::counterweight::chapter;
 use crate::luffing::moving;
 use crate::luffing::moving::control::luffing::CONTROL;
@@ -258,11 +258,7 @@ impl Described for Rope {
     }
 
     fn uncovered(this: &Description<Rope>) -> Vec<&'static str> {
-        const FRICTION: &str = "pin_friction";
-        left(
-            levels::uncovered(uncovered(FRICTION), FRICTION, this.moving.as_ref()),
-            &this.cases,
-        )
+        left(levels::uncovered("pin_friction", this.moving.as_ref()), &this.cases)
     }
 
     /// The boom at the ends of the working range (faint) and where it is told of, with its ropes and the path of the load.
