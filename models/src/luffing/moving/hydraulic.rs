@@ -9,6 +9,7 @@ use crate::kernel::calc::{Calc, Over};
 use crate::luffing::moving::brakes::Braking;
 use crate::luffing::moving::crane::{Commands, CraneState, MOST_CHANGES, Snapshot};
 use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
+use crate::luffing::moving::given::Inputs;
 use crate::luffing::moving::motion::{self, MovingLinkage};
 use crate::luffing::moving::pendulum::{Phase, Reel};
 use crate::luffing::moving::reduced::Reduced;
@@ -210,9 +211,9 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
         self.joint().stops
     }
 
-    /// With the wind that blows, as [`Dynamics::put_wind`].
-    pub(crate) fn put_wind(&mut self, blows: [P; 2]) {
-        either!(&mut self.crane, crane => crane.dynamics.put_wind(blows));
+    /// As [`Dynamics::put_around`].
+    pub(crate) fn put_around(&mut self, inputs: &Inputs<P>) {
+        either!(&mut self.crane, crane => crane.dynamics.put_around(inputs));
     }
 
     /// Whether there is a rope that keeps its length under any force.

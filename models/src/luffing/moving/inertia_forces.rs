@@ -11,6 +11,9 @@ pub struct PosedBody<C> {
     /// In kg, and about its centre of gravity in kg·m².
     pub mass: C,
     pub inertia: C,
+    /// Its place among the mechanism's bars, and how high its first joint is (m).
+    pub bar: usize,
+    pub joint: C,
     /// Mass times forward and upward distance from the centre, in kg·m².
     pub deviation: C,
     /// Centre of gravity from the bar's first joint and, forward, from the slewing axis, in m.
@@ -22,13 +25,21 @@ pub struct PosedBody<C> {
 }
 
 impl<C: Calc> PosedBody<C> {
-    /// One that turns with the coordinate about a joint: mass (kg), inertia about its centre (kg·m²), place of the centre from
-    /// the joint (m) and what it moves by, once and once more, all in a plane that does not turn.
-    pub fn in_plane([mass, inertia]: [C; 2], place: Point<C>, travel: [Point<C>; 2]) -> PosedBody<C> {
+    /// One that turns with the coordinate about a joint: its place among the bars and how high the joint is (m), mass (kg),
+    /// inertia about its centre (kg·m²), place of the centre from the joint (m) and what it moves by, once and once more, all
+    /// in a plane that does not turn.
+    pub fn in_plane(
+        (bar, joint): (usize, C),
+        [mass, inertia]: [C; 2],
+        place: Point<C>,
+        travel: [Point<C>; 2],
+    ) -> PosedBody<C> {
         let zero = C::constant(0.0);
         PosedBody {
             mass,
             inertia,
+            bar,
+            joint,
             deviation: zero,
             place,
             reach: zero,
@@ -37,9 +48,12 @@ impl<C: Calc> PosedBody<C> {
         }
     }
 
-    /// Weight and inertia, in N.
+    /// Weight and inertia, with the wind where it blows, in N.
     pub fn force(&self, at: &Instant<C>, gravity: C, names: [&'static Symbol; 2]) -> Point<C> {
-        let force = weight_and_inertia(self.mass, self.travel, self.reach, at, gravity);
+        let mut force = weight_and_inertia(self.mass, self.travel, self.reach, at, gravity);
+        if let Some([push, _]) = at.blown(self.bar) {
+            force.x += push;
+        }
         plane::def(force, names)
     }
 
@@ -47,7 +61,11 @@ impl<C: Calc> PosedBody<C> {
     pub fn moment(&self, at: &Instant<C>, force: Point<C>) -> C {
         let [turn, change] = self.turn;
         let spin = turn * at.alpha + change * at.omega.square();
-        let moment = self.inertia * spin - cross(self.place, force);
+        let mut moment = self.inertia * spin - cross(self.place, force);
+        if let Some([push, about]) = at.blown(self.bar) {
+            // The wind is not where the weight is.
+            moment += about - push * (self.joint + self.place.y);
+        }
         match at.turning {
             Some(turning) => moment + self.deviation * turning.square(),
             None => moment,
@@ -55,7 +73,7 @@ impl<C: Calc> PosedBody<C> {
     }
 }
 
-/// Of a mass (kg) that is forward of the slewing axis by `reach` (m), in N.
+/// Of a mass (kg), on a slope too, that is forward of the slewing axis by `reach` (m), in N.
 pub fn weight_and_inertia<C: Calc>(
     mass: C,
     [travel, bend]: [Point<C>; 2],
@@ -68,6 +86,9 @@ pub fn weight_and_inertia<C: Calc>(
     if let Some(turning) = at.turning {
         forward -= reach * turning.square();
     }
-    let upward = travel.y * at.alpha + bend.y * square + gravity;
+    let mut upward = travel.y * at.alpha + bend.y * square + gravity;
+    if let Some(pushed) = &at.pushed {
+        (forward, upward) = (forward - pushed.lean.x, upward - pushed.lean.y);
+    }
     Point::new(-(mass * forward), -(mass * upward))
 }

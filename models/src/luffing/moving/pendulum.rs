@@ -84,7 +84,7 @@ impl<P: Calc> Dynamics<P> {
         }
         let mut work = bend * square + along * pull + forward * coriolis + gravity * rise;
         let mut across = change * square + coriolis + gravity * sin;
-        if let Some([lift, push]) = self.air_along(r, m, &reel) {
+        if let Some([lift, push]) = self.outer_along(r, m, &reel) {
             (work, across) = (work - lift, across - push);
         }
         let work = work.def(&s::W_1);
@@ -165,6 +165,13 @@ impl Dynamics {
         Some(self.motion(&r, m, moment, Reel { length, rate, gain }))
     }
 
+    /// Potential energy over the mass of a load at a place (m), in J/kg.
+    pub(crate) fn potential(&self, place: Point<f64>) -> f64 {
+        let level = self.gravity() * place.y;
+        self.weather()
+            .map_or(level, |outdoors| level - outdoors.lean.dot(&place))
+    }
+
     /// Kinetic and potential energy, in J; `None` where the linkage does not close.
     #[must_use]
     pub fn energy(&self, m: &Phase) -> Option<f64> {
@@ -177,8 +184,8 @@ impl Dynamics {
         let (sin, cos) = Calc::sin_cos(m.swing);
         let along = Point::new(sin, -cos) * r.paid(0.0, m.omega);
         let velocity = d * m.omega + Point::new(cos, sin) * (length * m.swing_rate) + along;
-        let height = a.y - length * cos;
-        Some(bars + mass * (0.5 * velocity.norm_squared() + self.gravity() * height))
+        let place = a + Point::new(sin, -cos) * length;
+        Some(bars + mass * (0.5 * velocity.norm_squared() + self.potential(place)))
     }
 
     /// A step of `h` s of the classical Runge-Kutta method under a constant moment (N·m); `None` where the linkage opens.

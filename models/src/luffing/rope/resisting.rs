@@ -7,6 +7,7 @@ use crate::component::stages::Found;
 use crate::kernel::calc::Calc;
 use crate::luffing::balancing::Balancing;
 use crate::luffing::moving::bodies::Body;
+use crate::luffing::moving::exposed::Exposed;
 use crate::luffing::resistances::friction::{Pin, Pins, Rubbed};
 use crate::luffing::resistances::given::{CaseBody, CasesChoice};
 use crate::luffing::resistances::loads::{Carrying, Loads};
@@ -35,7 +36,11 @@ pub struct BoomPlaces<C> {
     balancing: Option<Balancing<C>>,
 }
 
-struct OfBoom;
+/// How they follow from that.
+pub struct OfBoom;
+
+/// The same as wind and slope meet it in motion.
+pub type Exposing<C> = Exposed<OfBoom, C>;
 
 impl Placing for OfBoom {
     type Of<C: Calc> = BoomPlaces<C>;

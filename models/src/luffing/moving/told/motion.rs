@@ -33,7 +33,7 @@ use crate::parts::hydraulics::symbols as h;
 use crate::parts::hydraulics::throttle::LAMINAR;
 
 /// What the formulas of a section give; those of the assembled model stand among them. A mechanism has its own besides.
-const SECTIONS: [(&str, &[&Symbol]); 12] = [
+const SECTIONS: [(&str, &[&Symbol]); 13] = [
     (
         "motion_counterweight",
         &[&m::MASS_5, &b::C_5X, &b::C_5Y, &m::DX_5, &m::DY_5, &m::DDX_5, &m::DDY_5],
@@ -43,6 +43,17 @@ const SECTIONS: [(&str, &[&Symbol]); 12] = [
         listed! { m:
             MASS_Q, I_R5, DI_R5, I_R, DI_R, M_W, DDA_X, DDA_Y, DS_S, DDS_S, DPSI_M, DDPSI_M, I_M, DI_M, I_ALL, DI_ALL
         },
+    ),
+    (
+        "motion_weather",
+        &[
+            &m::P_WI,
+            &m::M_WIND,
+            &m::M_SLOPE,
+            &m::M_WO,
+            &m::A_SLOPE_X,
+            &m::A_SLOPE_Y,
+        ],
     ),
     ("motion_slewing", &[]),
     (
