@@ -100,7 +100,7 @@ symbols! {
     P_WI: "p_wi" "p_\"w\"" PA / PA, "Pressure of the wind on the bodies, by pressure and speed; positive from the rear.", "[Ports001, 5.5.4]";
     M_WIND: "M_wind" "M_\"w\"" N_M / KN_M, "Moment of the wind on the bodies for one radian of the driving link; positive turns it counter-clockwise.", "virtual work";
     M_SLOPE: "M_slope" "M_sigma" N_M / KN_M, "Moment of weights by the slope for one radian of the driving link, with that of a load that hangs on no rope; positive turns it counter-clockwise.", "virtual work";
-    M_WO: "M_Wo" "M_\"W o\"" N_M / KN_M, "Moment of the weights less those of wind and slope; positive lowers the driving link.", "virtual work";
+    M_WO: "M_Wo" "M_\"Wo\"" N_M / KN_M, "Moment of the weights less those of wind and slope; positive lowers the driving link.", "virtual work";
     A_SLOPE_X: "a_slope.x" "a_(sigma x)" M_PER_S2 / M_PER_S2, "Acceleration by the slope, forward.", "derived";
     A_SLOPE_Y: "a_slope.y" "a_(sigma y)" M_PER_S2 / M_PER_S2, "Acceleration by the slope, upwards: what gravity lacks.", "derived";
     V_CY1: "V_cy1" "V_(c y 1)" M3 / M3, "Areas of the first body times drag coefficients times the heights of their centres.", "derived";
