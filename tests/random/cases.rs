@@ -61,10 +61,10 @@ pub fn cases(n: &mut Node, parts: &CaseParts) {
 /// Wind and slope in motion, where cases have them, and areas times drag coefficients (m²) in any wind.
 fn weather(n: &mut Node, area: Option<f64>) {
     let [length, mass, time] = n.draw.scale;
-    let area = area.filter(|_| !n.has("slewing"));
+    let turns = n.has("slewing");
     let air = n.child("cases").map_or(0.0, |c| c.get("c_air"));
     let Some(mut d) = n.child("dynamics") else { return };
-    if area.is_none() {
+    if turns || area.is_none() {
         d.remove(&["sigma_m"]);
     }
     let area = area.unwrap_or(0.0);

@@ -7,9 +7,9 @@ use crate::luffing::moving::given::Meets;
 use crate::luffing::moving::symbols as s;
 use crate::luffing::resistances::symbols as r;
 
-/// What of wind and slope a mechanism meets in motion: what its cases have, where its plane does not turn.
+/// What of wind and slope a mechanism meets in motion: what its cases have, a slope where its plane does not turn.
 pub(super) fn meets(v: &Values, slews: bool) -> Meets {
-    let Some(cases) = v.table("cases").filter(|_| !slews) else {
+    let Some(cases) = v.table("cases") else {
         return Meets::NOTHING;
     };
     let any = |tables: &[Values], symbol: &Symbol| tables.iter().any(|table| table.number(symbol.id) > Some(0.0));
@@ -18,7 +18,7 @@ pub(super) fn meets(v: &Values, slews: bool) -> Meets {
     Meets {
         pressure,
         speed: pressure && (blows || cases.has(r::C_AIR.id)),
-        slope: true,
+        slope: !slews,
     }
 }
 
@@ -36,7 +36,8 @@ pub(super) fn not_met(dynamics: &Values, meets: Meets, slews: bool) -> Option<Di
     let (symbol, _, help) = told
         .into_iter()
         .find(|(symbol, met, _)| !met && dynamics.has(symbol.id))?;
-    let (what, help) = match slews {
+    let turns = slews && symbol == &s::SIGMA_M;
+    let (what, help) = match turns {
         true => ("whose plane turns", "remove it, or [luffing.slewing]"),
         false => ("whose cases have none of it", help),
     };
