@@ -13,7 +13,6 @@ use crate::luffing::curved_trunk::position::TrunkPosition;
 use crate::luffing::curved_trunk::statics::TrunkWeights;
 use crate::luffing::curved_trunk::tail::{TrunkChoice, TrunkTail};
 use crate::luffing::moving::bodies::Body;
-use crate::luffing::moving::exposed::Exposed;
 use crate::luffing::resistances::friction::{Pin, Pins, Rubbed};
 use crate::luffing::resistances::given::{CaseBody, CasesChoice};
 use crate::luffing::resistances::loads::{Carrying, Loads};
@@ -42,9 +41,6 @@ pub struct TrunkPlaces<C> {
 
 /// How they follow from that.
 pub struct OfTrunk;
-
-/// The same as wind and slope meet it in motion.
-pub type Exposing<C> = Exposed<OfTrunk, C>;
 
 impl Placing for OfTrunk {
     type Of<C: Calc> = TrunkPlaces<C>;

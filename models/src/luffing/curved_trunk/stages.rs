@@ -114,7 +114,7 @@ composed! {
         hoist: HoistParts<C> = HoistParts::new(ramp, motor, give) => _;
         ..single_boom(Trunked, trunked);
         ..geared(way);
-        ..exposed();
+        ..exposed(OfTrunk);
         built[constants]: Vec<Level<C>> = single::driven(parts, boom, geared, exposed) => _;
         ..told(phi, omega);
         at: CraneAt<C> = stages::at(phi, omega, states[!], wound, past[!], commands, brake, second, fitted) => _;

@@ -15,7 +15,6 @@ use crate::luffing::double_link::parameters::{Driven, Weights};
 use crate::luffing::double_link::pin_forces::{JibLoad, MomentNames, PinForces};
 use crate::luffing::double_link::position::Position;
 use crate::luffing::moving::bodies::Body;
-use crate::luffing::moving::exposed::Exposed;
 use crate::luffing::resistances::friction::{Pin, Pins, Rubbed};
 use crate::luffing::resistances::given::{CaseBody, CasesChoice};
 use crate::luffing::resistances::loads::{Carrying, Loads};
@@ -43,9 +42,6 @@ pub struct LinkPlaces<C> {
 
 /// How they follow from that.
 pub struct OfLink;
-
-/// The same as wind and slope meet it in motion.
-pub type Exposing<C> = Exposed<OfLink, C>;
 
 impl Placing for OfLink {
     type Of<C: Calc> = LinkPlaces<C>;

@@ -131,7 +131,7 @@ composed! {
         ) => _;
         linkage[constants]: Vec<Renewed<HeavyLinkage<C>>> = motion::linkage(parts) => _;
         ..geared(way);
-        ..exposed();
+        ..exposed(OfLink);
         built[constants]: Vec<Level<C>> = motion::built(parts, linkage, geared, exposed) => _;
         ..told(theta, omega);
         at: CraneAt<C> = stages::at(theta, omega, states[!], wound, past[!], commands, brake, second, fitted) => _;

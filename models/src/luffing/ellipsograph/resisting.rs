@@ -10,7 +10,6 @@ use crate::luffing::balancing::Balancing;
 use crate::luffing::ellipsograph::position::{Bars, GuidedPosition, axes};
 use crate::luffing::ellipsograph::statics::{GuidedWeights, WeightMoment};
 use crate::luffing::moving::bodies::Body;
-use crate::luffing::moving::exposed::Exposed;
 use crate::luffing::resistances::friction::{Pin, Pins, Rubbed};
 use crate::luffing::resistances::given::{CaseBody, CasesChoice};
 use crate::luffing::resistances::loads::{Carrying, Loads};
@@ -38,9 +37,6 @@ pub struct GuidedPlaces<C> {
 
 /// How they follow from that.
 pub struct OfGuided;
-
-/// The same as wind and slope meet it in motion.
-pub type Exposing<C> = Exposed<OfGuided, C>;
 
 impl Placing for OfGuided {
     type Of<C: Calc> = GuidedPlaces<C>;

@@ -60,3 +60,12 @@ impl<P: Calc> Dynamics<P> {
         Some([given, dot(outer, along)])
     }
 }
+
+impl Dynamics {
+    /// Potential energy over the mass of a load at a place (m), in J/kg.
+    pub(crate) fn potential(&self, place: Point<f64>) -> f64 {
+        let level = self.gravity() * place.y;
+        self.weather()
+            .map_or(level, |outdoors| level - outdoors.lean.dot(&place))
+    }
+}

@@ -107,14 +107,14 @@ pub struct LevelParts<P: Calc> {
 
 /// What a scene may give a mechanism in motion: a motor that turns with it, wind and slope that it meets.
 #[derive(Clone)]
-pub struct Fittings<P> {
+pub struct Outfit<P> {
     geared: Option<Arc<Geared<P>>>,
     outdoors: Option<Arc<dyn Exposes<P>>>,
 }
 
-impl<C: Scalar> Fittings<C> {
-    pub fn new<K: Placing>(geared: &[Renewed<Geared<C>>], exposed: &[Renewed<Exposed<K, C>>]) -> Fittings<C> {
-        Fittings {
+impl<C: Scalar> Outfit<C> {
+    pub fn new<K: Placing>(geared: &[Renewed<Geared<C>>], exposed: &[Renewed<Exposed<K, C>>]) -> Outfit<C> {
+        Outfit {
             geared: geared.first().map(|geared| geared.now().clone()),
             outdoors: shared(exposed),
         }
@@ -123,7 +123,7 @@ impl<C: Scalar> Fittings<C> {
 
 impl<P: Coordinate<P>> LevelParts<P> {
     /// The equations, nothing being asked of them; with a motor that turns with it, where no cylinder moves it.
-    pub fn level(self, mut dynamics: Dynamics<P>, fittings: Fittings<P>) -> Level<P> {
+    pub fn level(self, mut dynamics: Dynamics<P>, fittings: Outfit<P>) -> Level<P> {
         let (fitted, constants) = (self.fitted, self.constants);
         let joint = |viscous, coulomb, stops| Joint {
             friction: Friction { viscous, coulomb },

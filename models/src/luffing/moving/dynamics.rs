@@ -9,7 +9,6 @@ use crate::kernel::calc::{Calc, Over};
 use crate::kernel::record::Rec;
 use crate::luffing::moving::bodies::{Pendulum, Turntable};
 use crate::luffing::moving::geared::Geared;
-use crate::luffing::moving::given::Inputs;
 use crate::luffing::moving::reduced::{Asked, CoordinateNames, Reduced, Reduces};
 use crate::luffing::moving::weather::{Exposes, Outdoors, Weather};
 use crate::parts::air::AirDrag;
@@ -192,10 +191,10 @@ impl<P: Calc> Dynamics<P> {
         self
     }
 
-    /// As wind, at load and bodies, and slope are told.
-    pub(crate) fn put_around(&mut self, inputs: &Inputs<P>) {
-        self.put_wind(inputs.wind);
-        self.put_weather(inputs.weather);
+    /// With the wind at the load, as in [`put_wind`](Dynamics::put_wind), and what the bodies meet.
+    pub(crate) fn put_around(&mut self, wind: [P; 2], weather: Weather<P>) {
+        self.put_wind(wind);
+        self.put_weather(weather);
     }
 
     /// With wind and slope as they are, where it meets them.

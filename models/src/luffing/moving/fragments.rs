@@ -70,11 +70,11 @@ macro_rules! geared {
 }
 pub(crate) use geared;
 
-/// The stage of what wind and slope meet in motion, by the places that load cases have.
+/// The stage of what wind and slope meet in motion, by the places that load cases have: how they are found is named.
 macro_rules! exposed {
-    (() $($to:tt)*) => {
+    (($of:ident) $($to:tt)*) => {
         $crate::component::fragments::composed! { @with {
-            exposed[constants]: Vec<$crate::luffing::moving::reduced::Renewed<resisting::Exposing<C>>> =
+            exposed[constants]: Vec<$crate::luffing::moving::reduced::Renewed<$crate::luffing::moving::exposed::Exposed<resisting::$of, C>>> =
                 $crate::luffing::moving::exposed::exposed(places[?], weighty[?], bodies, chosen, load, air, fitted) => _;
         } $($to)* }
     };

@@ -9,13 +9,13 @@ use crate::kernel::calc::{Calc, Over};
 use crate::luffing::moving::brakes::Braking;
 use crate::luffing::moving::crane::{Commands, CraneState, MOST_CHANGES, Snapshot};
 use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
-use crate::luffing::moving::given::Inputs;
 use crate::luffing::moving::motion::{self, MovingLinkage};
 use crate::luffing::moving::pendulum::{Phase, Reel};
 use crate::luffing::moving::reduced::Reduced;
 use crate::luffing::moving::shares::Shares;
 use crate::luffing::moving::space::{self, Slewing};
 use crate::luffing::moving::symbols as s;
+use crate::luffing::moving::weather::Weather;
 use crate::parts::hoist::{Drum, HoistCommand, HoistPowers, Winch};
 use crate::parts::hydraulics::cylinder::{Cylinder, FLOW_MARGIN, Oil, PART_MARGINS, POWER_MARGIN, UNDERLAP_MARGIN};
 use crate::parts::joint::{Bar, Joint, JointDrive};
@@ -212,8 +212,8 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
     }
 
     /// As [`Dynamics::put_around`].
-    pub(crate) fn put_around(&mut self, inputs: &Inputs<P>) {
-        either!(&mut self.crane, crane => crane.dynamics.put_around(inputs));
+    pub(crate) fn put_around(&mut self, wind: [P; 2], weather: Weather<P>) {
+        either!(&mut self.crane, crane => crane.dynamics.put_around(wind, weather));
     }
 
     /// Whether there is a rope that keeps its length under any force.

@@ -236,8 +236,8 @@ impl<P: Calc> Level<P> {
     pub fn told(&self, inputs: &Inputs<P>) -> Option<Level<P>> {
         let around = self.dynamics().air().is_some() || self.dynamics().weather().is_some();
         let mut told = (self.has_oil() || around).then(|| self.clone())?;
-        either!(&mut told, crane => crane.dynamics.put_around(inputs), system => {
-            system.put_around(inputs);
+        either!(&mut told, crane => crane.dynamics.put_around(inputs.wind, inputs.weather), system => {
+            system.put_around(inputs.wind, inputs.weather);
             (system.command, system.supply) = (inputs.valve, inputs.supply);
             system.cylinder.torn = inputs.torn;
             (system.hoist, system.slewing) = (inputs.hoist, inputs.drives[1]);

@@ -165,13 +165,6 @@ impl Dynamics {
         Some(self.motion(&r, m, moment, Reel { length, rate, gain }))
     }
 
-    /// Potential energy over the mass of a load at a place (m), in J/kg.
-    pub(crate) fn potential(&self, place: Point<f64>) -> f64 {
-        let level = self.gravity() * place.y;
-        self.weather()
-            .map_or(level, |outdoors| level - outdoors.lean.dot(&place))
-    }
-
     /// Kinetic and potential energy, in J; `None` where the linkage does not close.
     #[must_use]
     pub fn energy(&self, m: &Phase) -> Option<f64> {

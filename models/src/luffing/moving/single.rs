@@ -15,7 +15,7 @@ use crate::kernel::record::Rec;
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::Fault;
 use crate::luffing::moving::balance_in_motion::BalanceInMotion;
-use crate::luffing::moving::built::{Fittings, HoistParts, LevelParts};
+use crate::luffing::moving::built::{HoistParts, LevelParts, Outfit};
 use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
 use crate::luffing::moving::exposed::Exposed;
 use crate::luffing::moving::geared::Geared;
@@ -222,7 +222,7 @@ where
         Heavy::new(&self.own, &self.balance, fixed, gravity).map_err(|fault| Fault::outside(fault.to_string()))
     }
 
-    fn level(&self, heavy: &Arc<Heavy<B, P>>, fitted: Fittings<P>) -> Level<P> {
+    fn level(&self, heavy: &Arc<Heavy<B, P>>, fitted: Outfit<P>) -> Level<P> {
         let gravity = self.rest.constants.g;
         let pendulum = self.rest.fitted.rope.and_then(|rope| {
             let load = (self.load / gravity).def(&s::MASS_Q);
@@ -238,7 +238,7 @@ struct SingleInMotion<B>(PhantomData<B>);
 
 type Making<B, P> = fn(&SingleParts<B, P>) -> Result<Heavy<B, P>, Fault>;
 type ActingOf<B, P> = fn(&Level<P>, &Heavy<B, P>, &CraneAt<P>) -> Option<Acting<P>>;
-type Levelling<B, P> = fn(&SingleParts<B, P>, &Arc<Heavy<B, P>>, Fittings<P>) -> Level<P>;
+type Levelling<B, P> = fn(&SingleParts<B, P>, &Arc<Heavy<B, P>>, Outfit<P>) -> Level<P>;
 
 /// What the equations of motion have of it, over a scalar.
 pub struct SingleEquations<B: SingleBoom, P: Calc> {
@@ -336,7 +336,7 @@ pub fn driven<B: SingleBoom, K: Placing, C: Scalar>(
     exposed: &[Renewed<Exposed<K, C>>],
     room: &mut Vec<Level<C>>,
 ) {
-    let fittings = Fittings::new(geared, exposed);
+    let fittings = Outfit::new(geared, exposed);
     room.clear();
     room.push((C::own::<SingleInMotion<B>>().level)(
         &parts[0],

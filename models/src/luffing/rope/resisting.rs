@@ -7,7 +7,6 @@ use crate::component::stages::Found;
 use crate::kernel::calc::Calc;
 use crate::luffing::balancing::Balancing;
 use crate::luffing::moving::bodies::Body;
-use crate::luffing::moving::exposed::Exposed;
 use crate::luffing::resistances::friction::{Pin, Pins, Rubbed};
 use crate::luffing::resistances::given::{CaseBody, CasesChoice};
 use crate::luffing::resistances::loads::{Carrying, Loads};
@@ -38,9 +37,6 @@ pub struct BoomPlaces<C> {
 
 /// How they follow from that.
 pub struct OfBoom;
-
-/// The same as wind and slope meet it in motion.
-pub type Exposing<C> = Exposed<OfBoom, C>;
 
 impl Placing for OfBoom {
     type Of<C: Calc> = BoomPlaces<C>;

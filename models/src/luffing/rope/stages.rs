@@ -94,7 +94,7 @@ composed! {
         roped: RopedParts<C> = RopedParts::new(rig, compensation, weights[!], inertia[!], choice) => _;
         hoist: HoistParts<C> = HoistParts::by_speed(ramp, give) => _;
         ..single_boom(Roped, roped);
-        ..exposed();
+        ..exposed(OfBoom);
         built[constants]: Vec<Level<C>> = single::built(parts, boom, exposed) => _;
         ..told(phi, omega);
         still: CraneAt<C> = stages::at(phi, omega, states[!], wound, past[!], commands, brake, second, fitted) => _;

@@ -15,7 +15,7 @@ use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::parameters::{Parameters, Weights};
 use crate::luffing::double_link::pose::Posing;
 use crate::luffing::moving::bodies::Body;
-use crate::luffing::moving::built::{Fittings, HoistParts, LevelParts};
+use crate::luffing::moving::built::{HoistParts, LevelParts, Outfit};
 use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
 use crate::luffing::moving::given::{Constants, CylinderOil, Fitted};
 use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
@@ -77,7 +77,7 @@ where
     }
 
     /// The equations of its level, nothing being asked of it.
-    pub fn level(&self, linkage: &Arc<HeavyLinkage<P>>, fittings: Fittings<P>) -> Level<P> {
+    pub fn level(&self, linkage: &Arc<HeavyLinkage<P>>, fittings: Outfit<P>) -> Level<P> {
         let Bodies { pendulum, gravity, .. } = linkage.bodies;
         let dynamics = Dynamics::new(linkage.clone(), pendulum, gravity);
         let oil = self.oil.zip(self.parameters.cylinder);

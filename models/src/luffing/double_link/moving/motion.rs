@@ -18,9 +18,10 @@ use crate::luffing::double_link::moving::built::{CraneParts, Inertias};
 use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::parameters::{Choice, Parameters};
 use crate::luffing::double_link::pose::Posing;
-use crate::luffing::double_link::resisting::Exposing;
-use crate::luffing::moving::built::Fittings;
+use crate::luffing::double_link::resisting::OfLink;
+use crate::luffing::moving::built::Outfit;
 use crate::luffing::moving::dynamics::Coordinate;
+use crate::luffing::moving::exposed::Exposed;
 use crate::luffing::moving::geared::Geared;
 use crate::luffing::moving::given::{Constants, CylinderOil, Fitted};
 use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
@@ -32,7 +33,7 @@ use crate::parts::ground::GroundBelow;
 use crate::parts::hydraulics::parts::OilParts;
 use crate::parts::turntable::Turning;
 
-type Levelling<P> = fn(&CraneParts<P>, &Arc<HeavyLinkage<P>>, Fittings<P>) -> Level<P>;
+type Levelling<P> = fn(&CraneParts<P>, &Arc<HeavyLinkage<P>>, Outfit<P>) -> Level<P>;
 
 type ForcesOf<P> = fn(&Level<P>, &HeavyLinkage<P>, &CraneAt<P>) -> Option<ForcesInMotion<P>>;
 
@@ -121,10 +122,10 @@ pub fn built<C: Scalar>(
     parts: &[CraneParts<C>],
     linkage: &[Renewed<HeavyLinkage<C>>],
     geared: &[Renewed<Geared<C>>],
-    exposed: &[Renewed<Exposing<C>>],
+    exposed: &[Renewed<Exposed<OfLink, C>>],
     room: &mut Vec<Level<C>>,
 ) {
-    let fittings = Fittings::new(geared, exposed);
+    let fittings = Outfit::new(geared, exposed);
     room.clear();
     room.push((C::own::<LinkInMotion>().level)(&parts[0], linkage[0].now(), fittings));
 }
