@@ -3,6 +3,7 @@
 use crate::kernel::calc::Calc;
 use crate::kernel::symbol::Symbol;
 use crate::luffing::moving::shares::Instant;
+use crate::luffing::moving::symbols as s;
 use crate::parts::plane::{self, Point, cross};
 
 /// A body in its bar.
@@ -64,7 +65,7 @@ impl<C: Calc> PosedBody<C> {
         let mut moment = self.inertia * spin - cross(self.place, force);
         if let Some([push, about]) = at.blown(self.bar) {
             // The wind is not where the weight is.
-            moment += about - push * (self.joint + self.place.y);
+            moment += (about - push * (self.joint + self.place.y)).def(s::OF_WIND[self.bar]);
         }
         match at.turning {
             Some(turning) => moment + self.deviation * turning.square(),

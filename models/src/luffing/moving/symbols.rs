@@ -106,6 +106,9 @@ symbols! {
     V_CY1: "V_cy1" "V_(c y 1)" M3 / M3, "Areas of the first body times drag coefficients times the heights of their centres.", "derived";
     V_CY2: "V_cy2" "V_(c y 2)" M3 / M3, "Areas of the second body times drag coefficients times the heights of their centres.", "derived";
     V_CY3: "V_cy3" "V_(c y 3)" M3 / M3, "Areas of the third body times drag coefficients times the heights of their centres.", "derived";
+    M_W1: "M_w1" "M_(w 1)" N_M / KN_M, "Moment of the wind on the first body about its first joint, beyond that of the same force in its centre of gravity; clockwise positive.", "equilibrium";
+    M_W2: "M_w2" "M_(w 2)" N_M / KN_M, "Moment of the wind on the second body about its first joint, beyond that of the same force in its centre of gravity; clockwise positive.", "equilibrium";
+    M_W3: "M_w3" "M_(w 3)" N_M / KN_M, "Moment of the wind on the third body about its first joint, beyond that of the same force in its centre of gravity; clockwise positive.", "equilibrium";
     DPSI_M: "dpsi_M" "psi'_M" ONE / ONE, "Turn of the motor's shaft for one radian of the driving link.", "derived";
     DDPSI_M: "ddpsi_M" "psi''_M" ONE / ONE, "Change of that for one radian of the driving link.", "derived";
     I_M: "I_M" "I_M" KG_M2 / T_M2, "Inertia of the motor's shaft, reduced to the driving link.", "Lagrange";
@@ -219,6 +222,7 @@ symbols! {
 
 /// What the wind's moments have of each bar.
 pub(crate) static OF_AREAS: [&Symbol; 3] = [&V_CY1, &V_CY2, &V_CY3];
+pub(crate) static OF_WIND: [&Symbol; 3] = [&M_W1, &M_W2, &M_W3];
 
 /// Travel forward and up by the driving angle, first and second derivative.
 pub(crate) type OfCentre = [[&'static Symbol; 2]; 2];

@@ -16,6 +16,7 @@ use crate::drive::symbols as d;
 use crate::kernel::record::record;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Role;
+use crate::luffing::moving::carried;
 use crate::luffing::moving::control::ByAxis;
 use crate::luffing::moving::given::{INPUTS, STATES};
 use crate::luffing::moving::hydraulic::CREEP;
@@ -29,6 +30,7 @@ use crate::luffing::moving::told::present::{recorded, standing};
 use crate::luffing::moving::told::run::{EVENTS, Run, timed};
 use crate::luffing::moving::told::shown::Shown;
 use crate::luffing::moving::told::stop::Stop;
+use crate::luffing::moving::weather::Weather;
 use crate::parts::hydraulics::symbols as h;
 use crate::parts::hydraulics::throttle::LAMINAR;
 
@@ -127,6 +129,9 @@ const SECTIONS: [(&str, &[&Symbol]); 13] = [
             &m::M_RV,
             &m::M_RS,
             &m::M_IM,
+            &m::M_W1,
+            &m::M_W2,
+            &m::M_W3,
             &m::F_5X,
             &m::F_5Y,
             &m::M_I5,
@@ -217,7 +222,7 @@ pub(crate) fn moved<T: Shown>(luffing: &Description<T>) -> Option<Moved> {
         coordinate,
         instant: (instant.0, manoeuvres[of].id, shown.instant),
         of: None,
-        state: state(&mut model, [coordinate, rate]),
+        state: [state(&mut model, [coordinate, rate]), heights::<T>(&mut model)].concat(),
         constants,
         sections: sections::<T>(&model).into_iter().chain(sample).collect(),
         ramp: Some((&m::T_S, moving.ramp)),
@@ -283,6 +288,23 @@ fn state(model: &mut MovingComponent, bar: [&'static Symbol; 2]) -> Vec<(&'stati
         .filter_map(|(index, symbol)| Some((symbol, model.get(index).ok()?)))
         .filter(|(symbol, _)| [&STATES[..], &INPUTS, &bar].iter().any(|list| list.contains(symbol)))
         .collect()
+}
+
+/// What the wind's moments have of each bar as it is now, where it blows.
+fn heights<T: Shown>(model: &mut MovingComponent) -> Vec<(&'static Symbol, f64)> {
+    let known = carried::known::<T::Component>(model.parts().0);
+    let Ok((level, at)) = T::Component::in_motion(known) else {
+        return Vec::new();
+    };
+    let one = Weather {
+        wind: [1.0, 0.0],
+        slope: 0.0,
+    };
+    let outdoors = level.dynamics().weather();
+    let moments = outdoors.and_then(|outdoors| outdoors.to.pushes(at.y[0], &one));
+    let moments = moments.iter().flatten().map(|[_, moment]| *moment);
+    let of = m::OF_AREAS.into_iter().zip(moments);
+    of.filter(|(_, moment)| *moment != 0.0).collect()
 }
 
 /// The equations at the model's instant. Each section is recorded from the start and shows its own steps.
