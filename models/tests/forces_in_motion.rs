@@ -21,6 +21,7 @@ use lemnis_models::luffing::moving::motion::{MotionState, MovingLinkage};
 use lemnis_models::luffing::moving::shares::Instant;
 use lemnis_models::luffing::moving::shares::Shares;
 use lemnis_models::luffing::moving::space::SlewingState;
+use lemnis_models::luffing::moving::weather::Weather;
 use lemnis_models::parts::hoist::HoistCommand;
 use lemnis_models::parts::joint::{Bar, Friction, Joint, JointDrive};
 use lemnis_models::parts::plane::{Point, cross};
@@ -157,6 +158,7 @@ fn inputs(moment: f64, brake: f64) -> Inputs {
         wind: [0.0; 2],
         torn: [0.0; 2],
         braking: 0.0,
+        weather: Weather::calm(),
         shaft: 0.0,
     }
 }
@@ -374,6 +376,7 @@ fn a_balance_in_motion_keeps_power_and_equilibrium() {
                     turning: Some(turning),
                     pull: None,
                     tension: None,
+                    pushed: None,
                     shares: none,
                 };
                 let balance = ForcesInMotion::new(&pose, &at, G).balance.expect("there");

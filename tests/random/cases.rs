@@ -31,7 +31,8 @@ pub fn cases(n: &mut Node, parts: &CaseParts) {
         let kind = drive.text("kind").unwrap_or("").to_owned();
         (kind, drive.has("r_z"), drive.get("d_2"), drive.get("d_r"))
     });
-    all(n, parts);
+    let area = all(n, parts);
+    weather(n, area);
     let mut there = Vec::new();
     if let Some(mut c) = n.child("cases") {
         sizes(&mut c, parts, drive.as_ref());
@@ -53,6 +54,31 @@ pub fn cases(n: &mut Node, parts: &CaseParts) {
             limits.remove(&[name]);
         } else if needed && limits.knows(name) {
             limits.keep(name, true);
+        }
+    }
+}
+
+/// Wind and slope in motion, where cases have them, and areas times drag coefficients (m²) in any wind.
+fn weather(n: &mut Node, area: Option<f64>) {
+    let [length, mass, time] = n.draw.scale;
+    let turns = n.has("slewing");
+    let air = n.child("cases").map_or(0.0, |c| c.get("c_air"));
+    let Some(mut d) = n.child("dynamics") else { return };
+    if turns || area.is_none() {
+        d.remove(&["sigma_m"]);
+    }
+    let area = area.unwrap_or(0.0);
+    if area == 0.0 {
+        d.remove(&["p_wm", "v_wm"]);
+    }
+    // A small part of what sets the bodies going in the scene's own time.
+    let pressure = mass * length / (time * time * area) * d.draw.between(0.0, 0.01);
+    let sign = if d.draw.coin(0.5) { 1.0 } else { -1.0 };
+    let slope = d.draw.between(-0.05, 0.05);
+    let speed = (pressure / air).sqrt().min(60.0);
+    for (name, value) in [("p_wm", sign * pressure), ("v_wm", -sign * speed), ("sigma_m", slope)] {
+        if d.has(name) {
+            d.set(name, value);
         }
     }
 }
@@ -118,8 +144,8 @@ fn start(c: &mut Node) {
     }
 }
 
-/// Cases, or none.
-fn all(n: &mut Node, parts: &CaseParts) {
+/// Cases with the areas of their bodies times drag coefficients (m²), or none.
+fn all(n: &mut Node, parts: &CaseParts) -> Option<f64> {
     let behind = n.child("balance").map(|balance| {
         let kind = balance.text("kind").unwrap_or("").to_owned();
         (kind, balance.has("s_5"))
@@ -128,14 +154,16 @@ fn all(n: &mut Node, parts: &CaseParts) {
     if armless || !n.has("Q") || !n.has("weights") || !n.has("drive") && !n.has("tackle") {
         n.remove(&["cases"]);
     }
-    let Some(mut c) = n.child("cases") else { return };
+    let mut c = n.child("cases")?;
     c.remove(&["case", "body", "pin"]);
+    let mut area = 0.0;
     let counterweight = behind.as_ref().map(|_| "counterweight");
     for name in parts.bodies.iter().copied().chain(counterweight) {
         c.more("body", |body| {
             body.put("on", name);
             if body.has("A_w") {
                 body.keep("c_w", true);
+                area += body.get("A_w") * body.get("c_w");
             }
         });
     }
@@ -197,4 +225,5 @@ fn all(n: &mut Node, parts: &CaseParts) {
             }
         });
     }
+    Some(area)
 }

@@ -68,8 +68,10 @@ pub fn controlled(control: &mut Node, axis: &Axis, inertia: f64, speed: f64, [fr
     }
 }
 
-/// A cycle that sees a motion of a time (s).
+/// A cycle that sees a motion of a time (s): few digits of minutes, so that it is the same in every unit.
 pub fn cycle(n: &mut Node) -> f64 {
     let time = n.draw.scale[2];
-    (time * n.draw.between(0.01, 0.05)).clamp(1e-4, 10.0)
+    let minutes = (time * n.draw.between(0.01, 0.05)).clamp(1.01e-4, 9.9) / 60.0;
+    let few: f64 = format!("{minutes:.2e}").parse().expect("a number");
+    60.0 * few
 }

@@ -71,9 +71,15 @@ impl<C: Calc> TrunkForces<C> {
         let at = &acting.at;
         let trunk = PosedBody {
             turn: [travel.i_2, bend.i_2],
-            ..PosedBody::in_plane([trunk.mass.def(&s::MASS_T), trunk.inertia], m[0], [m[1], m[2]])
+            ..PosedBody::in_plane(
+                (1, position.b.y),
+                [trunk.mass.def(&s::MASS_T), trunk.inertia],
+                m[0],
+                [m[1], m[2]],
+            )
         };
-        let boom = PosedBody::in_plane([boom.mass.def(&s::MASS_B), boom.inertia], s[0], [s[1], s[2]]);
+        let foot = (0, C::constant(0.0));
+        let boom = PosedBody::in_plane(foot, [boom.mass.def(&s::MASS_B), boom.inertia], s[0], [s[1], s[2]]);
         let f_t = trunk.force(at, gravity, [&s::F_ITX, &s::F_ITY]);
         let about_b = trunk.moment(at, f_t);
         let (on_trunk, about_b) = match at.pull {

@@ -39,7 +39,8 @@ pub struct TrunkPlaces<C> {
     way: DriveWay<C>,
 }
 
-struct OfTrunk;
+/// How they follow from that.
+pub struct OfTrunk;
 
 impl Placing for OfTrunk {
     type Of<C: Calc> = TrunkPlaces<C>;

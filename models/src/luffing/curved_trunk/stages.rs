@@ -34,7 +34,7 @@ use crate::luffing::curved_trunk::velocity::{TrunkSpeeds, TrunkTravel, pole};
 use crate::luffing::moving::balance_in_motion::BalanceInMotion;
 use crate::luffing::moving::built::HoistParts;
 use crate::luffing::moving::fragments::{
-    boom_rates, coordinate, geared, plant, pulled, remembered, single_boom, surrounded, told,
+    boom_rates, coordinate, exposed, geared, plant, pulled, remembered, single_boom, surrounded, told,
 };
 use crate::luffing::moving::given::Fitted;
 use crate::luffing::moving::level::{CraneAt, Level};
@@ -55,7 +55,7 @@ mod s {
     pub use crate::balance::symbols::{F_KX, F_KY, F_MX, F_MY, N_1};
     pub use crate::drive::symbols::{F_D, L_D, Q_D, T_CR, V_D};
     pub use crate::luffing::curved_trunk::symbols::*;
-    pub use crate::luffing::moving::symbols::{F_AIR, H_G, M_R, M_R_H, N_G, P_AIR, S_R, W_BLOW};
+    pub use crate::luffing::moving::symbols::{F_AIR, H_G, M_R, M_R_H, M_SLOPE, M_WIND, N_G, P_AIR, S_R, W_BLOW};
     pub use crate::luffing::resistances::symbols::F_R;
     pub use crate::luffing::strength::symbols::{P_C, U_K};
 }
@@ -114,7 +114,8 @@ composed! {
         hoist: HoistParts<C> = HoistParts::new(ramp, motor, give) => _;
         ..single_boom(Trunked, trunked);
         ..geared(way);
-        built[constants]: Vec<Level<C>> = single::driven(parts, boom, geared) => _;
+        ..exposed(OfTrunk);
+        built[constants]: Vec<Level<C>> = single::driven(parts, boom, geared, exposed) => _;
         ..told(phi, omega);
         at: CraneAt<C> = stages::at(phi, omega, states[!], wound, past[!], commands, brake, second, fitted) => _;
         ..boom_rates(phi, Trunked);

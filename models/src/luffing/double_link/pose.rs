@@ -123,7 +123,7 @@ impl<T: Calc + DualNum> PosedLinkage<T> {
         let bars = bars(geometry, &p);
         let axis = turntable.map_or(zero, |table| T::of(table.axis));
         let bodies = d.bodies.bars();
-        let body = |i: usize| PosedBody::new(bodies[i], &bars[i], axis);
+        let body = |i: usize| PosedBody::new(i, bodies[i], &bars[i], axis);
         let turn_of_boom = bars[0].turn()[0];
         let counterweight = match &positions.counterweight {
             None => None,
@@ -156,7 +156,7 @@ impl<T: Calc + DualNum> PosedLinkage<T> {
 }
 
 impl<T: Calc + DualNum> PosedBody<T> {
-    fn new<P: Calc>(body: &Body<P>, bar: &Bar<T>, axis: T) -> PosedBody<T>
+    fn new<P: Calc>(place: usize, body: &Body<P>, bar: &Bar<T>, axis: T) -> PosedBody<T>
     where
         T: Over<P>,
     {
@@ -164,6 +164,8 @@ impl<T: Calc + DualNum> PosedBody<T> {
         PosedBody {
             mass: T::of(body.mass),
             inertia: T::of(body.inertia),
+            bar: place,
+            joint: bar.joint[0].y,
             deviation: bar.deviation(body.spread.map(T::of)),
             place: at - bar.joint[0],
             reach: at.x - axis,
@@ -289,6 +291,8 @@ impl Posing<Rec> for Rec {
             PosedBody {
                 mass: sources[i].mass.def(names.sums.mass),
                 inertia: sources[i].inertia,
+                bar: i,
+                joint: joint.y,
                 deviation: match axis {
                     Some(_) => deviation(sources[i].spread, along)
                         .rounded_as(it.deviation)

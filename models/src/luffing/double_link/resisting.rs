@@ -40,7 +40,8 @@ pub struct LinkPlaces<C> {
     way: DriveWay<C>,
 }
 
-struct OfLink;
+/// How they follow from that.
+pub struct OfLink;
 
 impl Placing for OfLink {
     type Of<C: Calc> = LinkPlaces<C>;

@@ -40,7 +40,7 @@ use crate::luffing::double_link::statics::{LoadMoment, Own, by_pole};
 use crate::luffing::double_link::symbols as g;
 use crate::luffing::double_link::unbalanced::{Unbalanced, UnbalancedCase};
 use crate::luffing::double_link::velocity::Velocity;
-use crate::luffing::moving::fragments::{coordinate, geared, plant, pulled, remembered, surrounded, told};
+use crate::luffing::moving::fragments::{coordinate, exposed, geared, plant, pulled, remembered, surrounded, told};
 use crate::luffing::moving::given::{CylinderOil, Fitted};
 use crate::luffing::moving::level::{CraneAt, Level};
 use crate::luffing::moving::listed::{Said, luffing_component, said};
@@ -131,7 +131,8 @@ composed! {
         ) => _;
         linkage[constants]: Vec<Renewed<HeavyLinkage<C>>> = motion::linkage(parts) => _;
         ..geared(way);
-        built[constants]: Vec<Level<C>> = motion::built(parts, linkage, geared) => _;
+        ..exposed(OfLink);
+        built[constants]: Vec<Level<C>> = motion::built(parts, linkage, geared, exposed) => _;
         ..told(theta, omega);
         at: CraneAt<C> = stages::at(theta, omega, states[!], wound, past[!], commands, brake, second, fitted) => _;
         moves: CraneMoves<C> = stages::moves(built, told, at, theta) => _;

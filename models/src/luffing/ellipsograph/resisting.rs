@@ -35,7 +35,8 @@ pub struct GuidedPlaces<C> {
     way: DriveWay<C>,
 }
 
-struct OfGuided;
+/// How they follow from that.
+pub struct OfGuided;
 
 impl Placing for OfGuided {
     type Of<C: Calc> = GuidedPlaces<C>;

@@ -31,7 +31,7 @@ use crate::luffing::ellipsograph::velocity::{GuidedSpeeds, GuidedTravel};
 use crate::luffing::moving::balance_in_motion::BalanceInMotion;
 use crate::luffing::moving::built::HoistParts;
 use crate::luffing::moving::fragments::{
-    boom_rates, coordinate, geared, plant, pulled, remembered, single_boom, surrounded, told,
+    boom_rates, coordinate, exposed, geared, plant, pulled, remembered, single_boom, surrounded, told,
 };
 use crate::luffing::moving::given::Fitted;
 use crate::luffing::moving::level::{CraneAt, Level};
@@ -52,7 +52,7 @@ mod s {
     pub use crate::balance::symbols::{F_KX, F_KY, F_MX, F_MY, N_1};
     pub use crate::drive::symbols::{F_D, L_D, Q_D, T_CR, V_D};
     pub use crate::luffing::ellipsograph::symbols::*;
-    pub use crate::luffing::moving::symbols::{F_AIR, H_G, M_R, M_R_H, N_G, P_AIR, S_R, W_BLOW};
+    pub use crate::luffing::moving::symbols::{F_AIR, H_G, M_R, M_R_H, M_SLOPE, M_WIND, N_G, P_AIR, S_R, W_BLOW};
     pub use crate::luffing::resistances::symbols::F_R;
     pub use crate::luffing::strength::symbols::{P_C, U_K};
 }
@@ -107,7 +107,8 @@ composed! {
         hoist: HoistParts<C> = HoistParts::new(ramp, motor, give) => _;
         ..single_boom(Guided, guided);
         ..geared(way);
-        built[constants]: Vec<Level<C>> = single::driven(parts, boom, geared) => _;
+        ..exposed(OfGuided);
+        built[constants]: Vec<Level<C>> = single::driven(parts, boom, geared, exposed) => _;
         ..told(phi, omega);
         at: CraneAt<C> = stages::at(phi, omega, states[!], wound, past[!], commands, brake, second, fitted) => _;
         ..boom_rates(phi, Guided);

@@ -8,6 +8,7 @@ use crate::kernel::record::Rec;
 use crate::kernel::symbol::Symbol;
 use crate::luffing::moving::inertia_forces::weight_and_inertia;
 use crate::luffing::moving::shares::Instant;
+use crate::luffing::resistances::placed::BARS;
 use crate::parts::plane::{self, Point, dot};
 
 /// Quantities of balances, at rest and in motion.
@@ -54,7 +55,10 @@ results! { BalanceInMotion as b => {
 impl<C: Calc> BalanceInMotion<C> {
     /// With gravity in m/s².
     pub fn new(it: &PosedCounterweight<C>, at: &Instant<C>, gravity: C) -> BalanceInMotion<C> {
-        let force = weight_and_inertia(it.mass, it.travel, it.reach, at, gravity);
+        let mut force = weight_and_inertia(it.mass, it.travel, it.reach, at, gravity);
+        if let Some([push, _]) = at.blown(BARS) {
+            force.x += push;
+        }
         let force = plane::def(force, [&s::F_5X, &s::F_5Y]);
         // By power: the frame takes no part in it.
         let moment = (dot(force, it.travel[0]) / it.boom).def(&s::M_I5);

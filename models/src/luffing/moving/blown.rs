@@ -1,4 +1,4 @@
-//! A load that swings in the plane of the mechanism as the air meets it.
+//! A load that swings in the plane of the mechanism as the air meets it, and what a slope gives it.
 
 use crate::kernel::calc::Calc;
 use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
@@ -32,25 +32,40 @@ impl<P: Calc> Dynamics<P> {
         Some(([velocity, against].map(Into::into), air.drag.over()))
     }
 
-    /// Acceleration that the air gives the load, in m/s², where there is any.
-    pub(crate) fn air_acceleration<C: Coordinate<P>>(
+    /// Acceleration that air and slope give the load, in m/s², where there are any.
+    pub(crate) fn outer_acceleration<C: Coordinate<P>>(
         &self,
         r: &Reduced<C>,
         m: &Phase<C>,
         reel: &Reel<C>,
     ) -> Option<Point<C>> {
-        let ([_, against], drag) = self.in_wind(r, m, reel)?;
-        Some(drag.on(against).into())
+        let air = self
+            .in_wind(r, m, reel)
+            .map(|([_, against], drag)| Point::from(drag.on(against)));
+        let lean = self.weather().map(|outdoors| outdoors.lean.map(C::of));
+        match (air, lean) {
+            (Some(air), Some(lean)) => Some(air + lean),
+            (air, lean) => air.or(lean),
+        }
     }
 
     /// The same along the load's travel for one radian of the driving link (m²/s²), and across the rope (m/s²).
-    pub(crate) fn air_along<C: Coordinate<P>>(&self, r: &Reduced<C>, m: &Phase<C>, reel: &Reel<C>) -> Option<[C; 2]> {
-        let air = self.air_acceleration(r, m, reel)?;
+    pub(crate) fn outer_along<C: Coordinate<P>>(&self, r: &Reduced<C>, m: &Phase<C>, reel: &Reel<C>) -> Option<[C; 2]> {
+        let outer = self.outer_acceleration(r, m, reel)?;
         let (out, along) = directions(m.swing);
-        let mut given = dot(air, r.head[1]);
+        let mut given = dot(outer, r.head[1]);
         if let Some([lead, _]) = r.lead {
-            given += lead * dot(air, out);
+            given += lead * dot(outer, out);
         }
-        Some([given, dot(air, along)])
+        Some([given, dot(outer, along)])
+    }
+}
+
+impl Dynamics {
+    /// Potential energy over the mass of a load at a place (m), in J/kg.
+    pub(crate) fn potential(&self, place: Point<f64>) -> f64 {
+        let level = self.gravity() * place.y;
+        self.weather()
+            .map_or(level, |outdoors| level - outdoors.lean.dot(&place))
     }
 }

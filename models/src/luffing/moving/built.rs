@@ -2,17 +2,22 @@
 
 use std::sync::Arc;
 
+use crate::component::scalar::Scalar;
 use crate::kernel::calc::Calc;
 use crate::luffing::moving::bodies::{Pendulum, Turntable};
 use crate::luffing::moving::dynamics::{Coordinate, Dynamics, Wind};
+use crate::luffing::moving::exposed::{Exposed, shared};
 use crate::luffing::moving::geared::Geared;
 use crate::luffing::moving::given::{Constants, Fitted};
 use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::hydraulic::{Crane, Hydraulic};
 use crate::luffing::moving::level::Level;
 use crate::luffing::moving::motion::MovingLinkage;
+use crate::luffing::moving::reduced::Renewed;
 use crate::luffing::moving::space::Slewing;
 use crate::luffing::moving::symbols as m;
+use crate::luffing::moving::weather::Exposes;
+use crate::luffing::resistances::placed::Placing;
 use crate::parts::air::{AirAround, AirDrag};
 use crate::parts::ground::GroundBelow;
 use crate::parts::hoist::{Elastic, Hoist, HoistCommand, Winch, WinchDrive};
@@ -100,9 +105,25 @@ pub struct LevelParts<P: Calc> {
     pub fitted: Fitted,
 }
 
+/// What a scene may give a mechanism in motion: a motor that turns with it, wind and slope that it meets.
+#[derive(Clone)]
+pub struct Outfit<P> {
+    geared: Option<Arc<Geared<P>>>,
+    outdoors: Option<Arc<dyn Exposes<P>>>,
+}
+
+impl<C: Scalar> Outfit<C> {
+    pub fn new<K: Placing>(geared: &[Renewed<Geared<C>>], exposed: &[Renewed<Exposed<K, C>>]) -> Outfit<C> {
+        Outfit {
+            geared: geared.first().map(|geared| geared.now().clone()),
+            outdoors: shared(exposed),
+        }
+    }
+}
+
 impl<P: Coordinate<P>> LevelParts<P> {
     /// The equations, nothing being asked of them; with a motor that turns with it, where no cylinder moves it.
-    pub fn level(self, mut dynamics: Dynamics<P>, geared: Option<&Arc<Geared<P>>>) -> Level<P> {
+    pub fn level(self, mut dynamics: Dynamics<P>, fittings: Outfit<P>) -> Level<P> {
         let (fitted, constants) = (self.fitted, self.constants);
         let joint = |viscous, coulomb, stops| Joint {
             friction: Friction { viscous, coulomb },
@@ -120,6 +141,9 @@ impl<P: Coordinate<P>> LevelParts<P> {
         if let Some(ground) = self.ground {
             dynamics = dynamics.above_ground(ground.y_g);
         }
+        if let Some(outdoors) = fittings.outdoors {
+            dynamics = dynamics.outdoors(outdoors);
+        }
         if let Some(turning) = self.turning {
             dynamics = dynamics.with_slewing(Turntable {
                 axis: self.axis,
@@ -127,8 +151,8 @@ impl<P: Coordinate<P>> LevelParts<P> {
             });
         }
         let Some(cylinder) = self.cylinder else {
-            if let Some(geared) = geared {
-                dynamics = dynamics.by_motor(geared.clone());
+            if let Some(geared) = fittings.geared {
+                dynamics = dynamics.by_motor(geared);
             }
             return match crane(dynamics, luffing, slewing) {
                 Crane::Plane(motion) => Level::Free(motion),

@@ -14,6 +14,7 @@ use crate::luffing::moving::symbols as s;
 use crate::parts::ground::Raised;
 use crate::parts::hoist::{Drum, Elastic, Hoist, HoistCommand, HoistPowers, RopeAction};
 use crate::parts::joint::{Arrival, Bar, Joint, JointDrive, LOOSE, above_zero};
+use crate::parts::plane::Point;
 use crate::parts::solver::{Halt, finite};
 
 /// What drives J joints and the hoist; constant over a step.
@@ -168,8 +169,8 @@ pub trait Struck<const N: usize, const J: usize>: Hangs<N, J, f64> {
     /// The load is put at rest on ground at a height (m), straight below or above where it is.
     fn put_down(&self, state: &mut CraneState<N, J>, r: &Reduced<f64>, ground: f64);
 
-    /// The load's height above the foot (m), and the square of its speed against the ground (m²/s²).
-    fn height_and_speed(&self, state: &CraneState<N, J>, r: &Reduced<f64>) -> [f64; 2];
+    /// The load's place in the mechanism's plane (m), and the square of its speed against the ground (m²/s²).
+    fn place_and_speed(&self, state: &CraneState<N, J>, r: &Reduced<f64>) -> (Point<f64>, f64);
 }
 
 impl<const N: usize, const J: usize, P: Calc> MovingCrane<N, J, P>
@@ -464,8 +465,8 @@ where
         let Some(pendulum) = self.dynamics.pendulum() else {
             return Some(bars);
         };
-        let [height, speed] = self.height_and_speed(state, &r);
-        let load = pendulum.mass * (0.5 * speed + self.dynamics.gravity() * height);
+        let (place, speed) = self.place_and_speed(state, &r);
+        let load = pendulum.mass * (0.5 * speed + self.dynamics.potential(place));
         let stretch = Self::reach(y)[0] - y[Self::LENGTH];
         Some(bars + load + pendulum.hoist.energy(y[N - 1], stretch))
     }

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 
 use crate::luffing::moving::crane::{Commands, CraneState, MovingCrane, Struck};
+use crate::luffing::moving::weather::Weather;
 use crate::parts::joint::JointDrive;
 use crate::parts::solver::pieces::{self, Pieces};
 use crate::parts::solver::{Count, Halt};
@@ -14,11 +15,12 @@ struct Commanded<'a, const N: usize, const J: usize> {
     slopes: Option<&'a Slopes<J>>,
 }
 
-/// How fast commands change, and the wind's speed (m/s²) and direction (rad/s).
+/// How fast commands change, the speed (m/s²) and direction (rad/s) of the wind at the load, and what the bodies meet.
 #[derive(Clone, Copy, Debug)]
 pub struct Slopes<const J: usize> {
     pub commands: Commands<J>,
     pub wind: [f64; 2],
+    pub weather: Weather,
 }
 
 impl<const N: usize, const J: usize> Commanded<'_, N, J> {
@@ -34,16 +36,22 @@ impl<const N: usize, const J: usize> Commanded<'_, N, J> {
     /// In the wind of a time since the start, in s.
     #[inline]
     fn blown(&self, time: f64) -> Cow<'_, MovingCrane<N, J>> {
-        match (self.slopes, self.crane.dynamics.air()) {
-            (Some(slopes), Some(air)) if slopes.wind != [0.0; 2] => {
-                let mut crane = self.crane.clone();
-                let [speed, to] = air.blows;
-                let [gains, turns] = slopes.wind;
-                crane.dynamics.put_wind([speed + gains * time, to + turns * time]);
-                Cow::Owned(crane)
-            }
-            _ => Cow::Borrowed(self.crane),
+        let changes = |slopes: &&Slopes<J>| slopes.wind != [0.0; 2] || !slopes.weather.is_calm();
+        let Some(slopes) = self.slopes.filter(changes) else {
+            return Cow::Borrowed(self.crane);
+        };
+        let mut crane = self.crane.clone();
+        if let Some(air) = self.crane.dynamics.air() {
+            let [speed, to] = air.blows;
+            let [gains, turns] = slopes.wind;
+            crane.dynamics.put_wind([speed + gains * time, to + turns * time]);
         }
+        if let Some(outdoors) = self.crane.dynamics.weather() {
+            crane
+                .dynamics
+                .put_weather(outdoors.weather.later(&slopes.weather, time));
+        }
+        Cow::Owned(crane)
     }
 }
 

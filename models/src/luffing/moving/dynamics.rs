@@ -10,6 +10,7 @@ use crate::kernel::record::Rec;
 use crate::luffing::moving::bodies::{Pendulum, Turntable};
 use crate::luffing::moving::geared::Geared;
 use crate::luffing::moving::reduced::{Asked, CoordinateNames, Reduced, Reduces};
+use crate::luffing::moving::weather::{Exposes, Outdoors, Weather};
 use crate::parts::air::AirDrag;
 use crate::parts::solver::Gradient;
 
@@ -52,6 +53,8 @@ pub struct Dynamics<P = f64> {
     air: Option<Wind<P>>,
     /// Height of the ground, in m.
     ground: Option<P>,
+    /// Wind on the mechanism's bodies, and the slope.
+    outdoors: Option<Outdoors<P>>,
     latest: Latest,
 }
 
@@ -64,7 +67,10 @@ pub trait Coordinate<P = f64>: Over<P> {
 
 impl Coordinate for f64 {
     fn reduced(d: &Dynamics, theta: f64) -> Option<Reduced<f64>> {
-        d.latest.at(theta, || d.reduced(theta))
+        d.latest.at(theta, || match d.is_calm() {
+            true => d.indoors(theta),
+            false => d.reduced(theta),
+        })
     }
 }
 
@@ -88,6 +94,9 @@ impl<const N: usize> Coordinate for Gradient<N> {
         if let Some(geared) = &d.geared {
             r = r.with(geared.with_slope(at)?);
         }
+        if let Some(outdoors) = d.outdoors.as_ref().filter(|_| !d.is_calm()) {
+            r = r.outside(outdoors.to.with_slope(at, &outdoors.weather)?);
+        }
         let of = |x: Dual64| theta.chain(x);
         Some(Reduced {
             inertia: of(r.inertia),
@@ -99,6 +108,7 @@ impl<const N: usize> Coordinate for Gradient<N> {
             turn: r.turn.map(of),
             lead: r.lead.map(|lead| lead.map(of)),
             shaft: r.shaft.map(|shaft| shaft.map(of)),
+            outside: r.outside.map(|outside| outside.map(of)),
         })
     }
 }
@@ -106,6 +116,20 @@ impl<const N: usize> Coordinate for Gradient<N> {
 impl<P: Calc> Dynamics<P> {
     /// What it is at a coordinate (rad).
     fn reduced(&self, at: P) -> Option<Reduced<P>> {
+        let r = self.indoors(at)?;
+        match &self.outdoors {
+            None => Some(r),
+            Some(outdoors) => Some(r.outside(outdoors.to.outside(at, &outdoors.weather)?)),
+        }
+    }
+
+    /// Whether neither wind nor slope acts on its bodies now.
+    fn is_calm(&self) -> bool {
+        self.outdoors.as_ref().is_none_or(|outdoors| outdoors.weather.is_calm())
+    }
+
+    /// The same without wind and slope.
+    fn indoors(&self, at: P) -> Option<Reduced<P>> {
         let r = self.mechanism.reduced(at, &self.asked)?;
         match &self.geared {
             None => Some(r),
@@ -127,6 +151,7 @@ impl<P: Calc> Dynamics<P> {
             gravity,
             air: None,
             ground: None,
+            outdoors: None,
             latest: Latest::default(),
         }
     }
@@ -156,6 +181,34 @@ impl<P: Calc> Dynamics<P> {
         if let Some(air) = &mut self.air {
             air.blows = blows;
         }
+    }
+
+    /// In wind and on a slope, calm and level until they are told.
+    #[must_use]
+    pub fn outdoors(mut self, to: Arc<dyn Exposes<P>>) -> Dynamics<P> {
+        self.outdoors = Some(Outdoors::new(to, Weather::calm(), self.gravity));
+        self.latest = Latest::default();
+        self
+    }
+
+    /// With the wind at the load, as in [`put_wind`](Dynamics::put_wind), and what the bodies meet.
+    pub(crate) fn put_around(&mut self, wind: [P; 2], weather: Weather<P>) {
+        self.put_wind(wind);
+        self.put_weather(weather);
+    }
+
+    /// With wind and slope as they are, where it meets them.
+    pub(crate) fn put_weather(&mut self, weather: Weather<P>) {
+        if let Some(outdoors) = self.outdoors.take() {
+            self.outdoors = Some(Outdoors::new(outdoors.to, weather, self.gravity));
+            self.latest = Latest::default();
+        }
+    }
+
+    /// Wind and slope, where it meets them.
+    #[must_use]
+    pub fn weather(&self) -> Option<&Outdoors<P>> {
+        self.outdoors.as_ref()
     }
 
     /// Where there is any.

@@ -70,6 +70,17 @@ macro_rules! geared {
 }
 pub(crate) use geared;
 
+/// The stage of what wind and slope meet in motion, by the places that load cases have: how they are found is named.
+macro_rules! exposed {
+    (($of:ident) $($to:tt)*) => {
+        $crate::component::fragments::composed! { @with {
+            exposed[constants]: Vec<$crate::luffing::moving::reduced::Renewed<$crate::luffing::moving::exposed::Exposed<resisting::$of, C>>> =
+                $crate::luffing::moving::exposed::exposed(places[?], weighty[?], bodies, chosen, load, air, fitted) => _;
+        } $($to)* }
+    };
+}
+pub(crate) use exposed;
+
 /// Stages of what its controllers hold and of the equations under what is commanded.
 macro_rules! told {
     (($phi:ident, $omega:ident) $($to:tt)*) => {
@@ -114,14 +125,15 @@ macro_rules! pulled {
 }
 pub(crate) use pulled;
 
-/// Stages of what air and ground do to the load, and of what blows have taken.
+/// Stages of what air and ground do to the load, wind and slope to the bodies, and of what blows have taken.
 macro_rules! surrounded {
     (($phi:ident) $($to:tt)*) => {
         $crate::component::fragments::composed! { @with {
-            air_force: C = $crate::luffing::moving::stages::air_force(built, told, at, $phi, around[!]) => F_AIR;
-            air_power: C = $crate::luffing::moving::stages::air_power(built, told, at, $phi, around[!]) => P_AIR;
-            ground_force: C = $crate::luffing::moving::stages::ground_force(built, told, at, $phi, ground[!]) => N_G;
-            height: C = $crate::luffing::moving::stages::height(built, told, at, $phi, ground[!]) => H_G;
+            drag: $crate::parts::plane::Point<C> =
+                $crate::luffing::moving::stages::drag(built, told, at, $phi, around[!]) => [F_AIR, P_AIR];
+            standing: $crate::parts::plane::Point<C> =
+                $crate::luffing::moving::stages::standing(built, told, at, $phi, ground[!]) => [N_G, H_G];
+            outside: $crate::parts::plane::Point<C> = $crate::luffing::moving::stages::outside(built, told, at, $phi) => [M_WIND, M_SLOPE];
             blown: C = $crate::luffing::moving::stages::blown(at) => W_BLOW;
         } $($to)* }
     };

@@ -9,6 +9,7 @@ use crate::luffing::moving::brakes::Braking;
 use crate::luffing::moving::crane::Commands;
 use crate::luffing::moving::hydraulic::{self, Modes};
 use crate::luffing::moving::symbols as s;
+use crate::luffing::moving::weather::Weather;
 use crate::parts::hoist::{Drum, HoistCommand};
 use crate::parts::joint::{Bar, JointDrive};
 
@@ -37,19 +38,22 @@ pub struct Inputs<P = f64> {
     /// Command of the valve in [−1, 1], and pressure of the pump in Pa.
     pub valve: P,
     pub supply: P,
-    /// Speed (m/s) and direction (rad) of the wind.
+    /// Speed (m/s) and direction (rad) of the wind at the load.
     pub wind: [P; 2],
     /// Parts of the cylinder's lines that are torn open, in [0, 1].
     pub torn: [P; 2],
     /// Command of the brakes on the shaft of luffing's motor, in [0, 1].
     pub braking: P,
+    /// At the mechanism's bodies.
+    pub weather: Weather<P>,
     /// Torque of those of them that act, in N·m: no input, but what follows from that.
     pub shaft: P,
 }
 
 /// Their symbols.
-pub const INPUTS: [&Symbol; 14] =
-    *listed!(s: M_A, M_S, U_V, P_P, M_M_H, M_B_H, V_H, M_SL, M_B_SL, V_AIR, CHI_AIR, Y_B1, Y_B2, U_BR);
+pub const INPUTS: [&Symbol; 17] = *listed!(
+    s: M_A, M_S, U_V, P_P, M_M_H, M_B_H, V_H, M_SL, M_B_SL, V_AIR, CHI_AIR, Y_B1, Y_B2, U_BR, P_WM, V_WM, SIGMA_M
+);
 
 impl<P: Calc> Inputs<P> {
     /// Of a crane of J joints.
@@ -88,6 +92,9 @@ impl<P: Calc> Inputs<P> {
             self.torn[0],
             self.torn[1],
             self.braking,
+            self.weather.wind[0],
+            self.weather.wind[1],
+            self.weather.slope,
         ]
     }
 
@@ -107,6 +114,9 @@ impl<P: Calc> Inputs<P> {
             y_b1,
             y_b2,
             u_br,
+            p_wm,
+            v_wm,
+            slope,
         ]: [P; INPUTS.len()],
     ) -> Inputs<P> {
         let drive = |moment, brake| JointDrive { moment, brake };
@@ -121,6 +131,10 @@ impl<P: Calc> Inputs<P> {
             wind: [v_air, chi_air],
             torn: [y_b1, y_b2],
             braking: u_br,
+            weather: Weather {
+                wind: [p_wm, v_wm],
+                slope,
+            },
             shaft: P::constant(0.0),
         }
     }
@@ -265,12 +279,33 @@ numbered!(
 );
 
 /// What belongs to a crane in motion and is no number of its equations: length of the load's rope at the start (m), end
-/// stops of slewing (rad), whether oil moves it, whether brakes are on the shaft of its motor.
+/// stops of slewing (rad), whether oil moves it, whether brakes are on the shaft of its motor, what of wind and slope it meets.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Fitted {
     pub rope: Option<f64>,
     pub slewing: Option<[f64; 2]>,
     pub oil: bool,
     pub braked: bool,
+    pub meets: Meets,
 }
 group!(Fitted);
+
+/// What of wind and slope a mechanism meets in motion: pressure and speed of the wind on its bodies' areas, a slope.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Meets {
+    pub pressure: bool,
+    pub speed: bool,
+    pub slope: bool,
+}
+
+impl Meets {
+    pub const NOTHING: Meets = Meets {
+        pressure: false,
+        speed: false,
+        slope: false,
+    };
+
+    pub fn any(self) -> bool {
+        self.pressure || self.slope
+    }
+}

@@ -16,7 +16,11 @@ where
             .dynamics
             .pendulum()
             .map_or(C::constant(0.0), |load| C::of(load.mass));
-        raised.bears(mass * C::of(self.dynamics.gravity()), self.tension(at))
+        let mut gravity = C::of(self.dynamics.gravity());
+        if let Some(outdoors) = self.dynamics.weather() {
+            gravity -= C::of(outdoors.lean.y);
+        }
+        raised.bears(mass * gravity, self.tension(at))
     }
 
     /// Force of the ground on the load, in N, and its height above it, in m.

@@ -15,6 +15,7 @@ use crate::luffing::moving::reduced::Reduced;
 use crate::luffing::moving::shares::Shares;
 use crate::luffing::moving::space::{self, Slewing};
 use crate::luffing::moving::symbols as s;
+use crate::luffing::moving::weather::Weather;
 use crate::parts::hoist::{Drum, HoistCommand, HoistPowers, Winch};
 use crate::parts::hydraulics::cylinder::{Cylinder, FLOW_MARGIN, Oil, PART_MARGINS, POWER_MARGIN, UNDERLAP_MARGIN};
 use crate::parts::joint::{Bar, Joint, JointDrive};
@@ -210,9 +211,9 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
         self.joint().stops
     }
 
-    /// With the wind that blows, as [`Dynamics::put_wind`].
-    pub(crate) fn put_wind(&mut self, blows: [P; 2]) {
-        either!(&mut self.crane, crane => crane.dynamics.put_wind(blows));
+    /// As [`Dynamics::put_around`].
+    pub(crate) fn put_around(&mut self, wind: [P; 2], weather: Weather<P>) {
+        either!(&mut self.crane, crane => crane.dynamics.put_around(wind, weather));
     }
 
     /// Whether there is a rope that keeps its length under any force.

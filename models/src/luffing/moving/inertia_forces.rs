@@ -3,6 +3,7 @@
 use crate::kernel::calc::Calc;
 use crate::kernel::symbol::Symbol;
 use crate::luffing::moving::shares::Instant;
+use crate::luffing::moving::symbols as s;
 use crate::parts::plane::{self, Point, cross};
 
 /// A body in its bar.
@@ -11,6 +12,9 @@ pub struct PosedBody<C> {
     /// In kg, and about its centre of gravity in kg·m².
     pub mass: C,
     pub inertia: C,
+    /// Its place among the mechanism's bars, and how high its first joint is (m).
+    pub bar: usize,
+    pub joint: C,
     /// Mass times forward and upward distance from the centre, in kg·m².
     pub deviation: C,
     /// Centre of gravity from the bar's first joint and, forward, from the slewing axis, in m.
@@ -22,13 +26,21 @@ pub struct PosedBody<C> {
 }
 
 impl<C: Calc> PosedBody<C> {
-    /// One that turns with the coordinate about a joint: mass (kg), inertia about its centre (kg·m²), place of the centre from
-    /// the joint (m) and what it moves by, once and once more, all in a plane that does not turn.
-    pub fn in_plane([mass, inertia]: [C; 2], place: Point<C>, travel: [Point<C>; 2]) -> PosedBody<C> {
+    /// One that turns with the coordinate about a joint: its place among the bars and how high the joint is (m), mass (kg),
+    /// inertia about its centre (kg·m²), place of the centre from the joint (m) and what it moves by, once and once more, all
+    /// in a plane that does not turn.
+    pub fn in_plane(
+        (bar, joint): (usize, C),
+        [mass, inertia]: [C; 2],
+        place: Point<C>,
+        travel: [Point<C>; 2],
+    ) -> PosedBody<C> {
         let zero = C::constant(0.0);
         PosedBody {
             mass,
             inertia,
+            bar,
+            joint,
             deviation: zero,
             place,
             reach: zero,
@@ -37,9 +49,12 @@ impl<C: Calc> PosedBody<C> {
         }
     }
 
-    /// Weight and inertia, in N.
+    /// Weight and inertia, with the wind where it blows, in N.
     pub fn force(&self, at: &Instant<C>, gravity: C, names: [&'static Symbol; 2]) -> Point<C> {
-        let force = weight_and_inertia(self.mass, self.travel, self.reach, at, gravity);
+        let mut force = weight_and_inertia(self.mass, self.travel, self.reach, at, gravity);
+        if let Some([push, _]) = at.blown(self.bar) {
+            force.x += push;
+        }
         plane::def(force, names)
     }
 
@@ -47,7 +62,11 @@ impl<C: Calc> PosedBody<C> {
     pub fn moment(&self, at: &Instant<C>, force: Point<C>) -> C {
         let [turn, change] = self.turn;
         let spin = turn * at.alpha + change * at.omega.square();
-        let moment = self.inertia * spin - cross(self.place, force);
+        let mut moment = self.inertia * spin - cross(self.place, force);
+        if let Some([push, about]) = at.blown(self.bar) {
+            // The wind is not where the weight is.
+            moment += (about - push * (self.joint + self.place.y)).def(s::OF_WIND[self.bar]);
+        }
         match at.turning {
             Some(turning) => moment + self.deviation * turning.square(),
             None => moment,
@@ -55,7 +74,7 @@ impl<C: Calc> PosedBody<C> {
     }
 }
 
-/// Of a mass (kg) that is forward of the slewing axis by `reach` (m), in N.
+/// Of a mass (kg), on a slope too, that is forward of the slewing axis by `reach` (m), in N.
 pub fn weight_and_inertia<C: Calc>(
     mass: C,
     [travel, bend]: [Point<C>; 2],
@@ -68,6 +87,9 @@ pub fn weight_and_inertia<C: Calc>(
     if let Some(turning) = at.turning {
         forward -= reach * turning.square();
     }
-    let upward = travel.y * at.alpha + bend.y * square + gravity;
+    let mut upward = travel.y * at.alpha + bend.y * square + gravity;
+    if let Some(pushed) = &at.pushed {
+        (forward, upward) = (forward - pushed.lean.x, upward - pushed.lean.y);
+    }
     Point::new(-(mass * forward), -(mass * upward))
 }

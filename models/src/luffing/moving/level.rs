@@ -76,6 +76,9 @@ pub enum MotionResult {
     /// Of the ground on the load, and the load's height above it.
     Ground,
     Height,
+    /// Of wind and slope on the bodies, at the driven bar.
+    Wind,
+    Slope,
 }
 
 /// The same of cranes without oil, and of those with it.
@@ -129,6 +132,7 @@ fn oil_reaction<const N: usize, P: Coordinate<P>>(
         MotionResult::AirPower => Some(system.in_air(modes, y)?[1]),
         MotionResult::Ground => Some(system.on_ground(modes, y)?[0]),
         MotionResult::Height => Some(system.on_ground(modes, y)?[1]),
+        MotionResult::Wind | MotionResult::Slope => outside(system.dynamics(), y[0], reaction),
     }
 }
 
@@ -173,8 +177,18 @@ where
             })
         }
         MotionResult::SlewingFriction => crane.friction_moment(1, state, commands, y),
+        MotionResult::Wind | MotionResult::Slope => outside(&crane.dynamics, y[0], reaction),
         MotionResult::Friction | MotionResult::Cylinder => crane.friction_moment(0, state, commands, y),
     }
+}
+
+/// Moment of wind or slope at an angle (rad); `None` where the linkage does not close.
+fn outside<P: Coordinate<P>>(dynamics: &Dynamics<P>, theta: P, which: MotionResult) -> Option<P> {
+    let outside = P::reduced(dynamics, theta)?.outside;
+    Some(outside.map_or(P::constant(0.0), |it| match which {
+        MotionResult::Wind => it.wind,
+        _ => it.slope,
+    }))
 }
 
 /// The shaft of its motor at an angle (rad), where it has one; `None` where the linkage does not close.
@@ -220,10 +234,10 @@ impl<P: Calc> Level<P> {
     /// Under inputs; `None` where they are no part of its equations.
     #[must_use]
     pub fn told(&self, inputs: &Inputs<P>) -> Option<Level<P>> {
-        let asked = self.has_oil() || self.dynamics().air().is_some();
-        let mut told = asked.then(|| self.clone())?;
-        either!(&mut told, crane => crane.dynamics.put_wind(inputs.wind), system => {
-            system.put_wind(inputs.wind);
+        let around = self.dynamics().air().is_some() || self.dynamics().weather().is_some();
+        let mut told = (self.has_oil() || around).then(|| self.clone())?;
+        either!(&mut told, crane => crane.dynamics.put_around(inputs.wind, inputs.weather), system => {
+            system.put_around(inputs.wind, inputs.weather);
             (system.command, system.supply) = (inputs.valve, inputs.supply);
             system.cylinder.torn = inputs.torn;
             (system.hoist, system.slewing) = (inputs.hoist, inputs.drives[1]);
@@ -298,6 +312,10 @@ impl<P: Coordinate<P>> Level<P> {
             turning: slews.then(|| own[1]),
             pull,
             tension,
+            pushed: match dynamics.weather() {
+                Some(outdoors) => Some(outdoors.pushed(y[0])?),
+                None => None,
+            },
             shares,
         })
     }
@@ -374,6 +392,7 @@ where
             let slopes = on.slopes.map(|slopes| Slopes {
                 commands: slopes.of(),
                 wind: slopes.wind,
+                weather: slopes.weather,
             });
             crane.follow(&mut state, (commands, slopes.as_ref()), on.duration, on.longest)?
         }

@@ -3,7 +3,7 @@
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::{Role, Variable};
 use crate::luffing::moving::control::HELD;
-use crate::luffing::moving::given::{INPUTS, STATES};
+use crate::luffing::moving::given::{INPUTS, Meets, STATES};
 use crate::luffing::moving::luffs::MotionSources;
 use crate::luffing::moving::stages::{INDICATORS, RATES};
 use crate::luffing::moving::symbols as s;
@@ -30,6 +30,7 @@ pub struct Fittings {
     pub pump: bool,
     /// On the shaft of luffing's motor.
     pub braked: bool,
+    pub meets: Meets,
     /// Of luffing, slewing and hoist.
     pub controlled: [bool; 3],
 }
@@ -54,6 +55,7 @@ impl Fittings {
             load_holding: sources.oil_parts.is_some_and(|parts| parts.load_holding.is_some()),
             pump: sources.oil_parts.is_some_and(|parts| parts.pump.is_some()),
             braked: sources.fitted.braked,
+            meets: sources.fitted.meets,
             controlled: sources
                 .control
                 .map_or([false; 3], |control| control.0.map(|axis| axis.is_some())),
@@ -80,6 +82,9 @@ impl Fittings {
             (_, Some(10)) => self.air && self.slews,
             (_, Some(11 | 12)) => self.load_holding,
             (_, Some(13)) => self.braked,
+            (_, Some(14)) => self.meets.pressure,
+            (_, Some(15)) => self.meets.speed,
+            (_, Some(16)) => self.meets.slope,
             _ => true,
         }
     }
@@ -116,6 +121,8 @@ impl Fittings {
             _ if of(&[&s::M_R_H]) => self.motor,
             _ if of(&[&s::W_BLOW]) => !self.oil || self.rope || self.slews,
             _ if of(&[&s::M_R_SL]) => self.slews,
+            _ if of(&[&s::M_WIND]) => self.meets.pressure,
+            _ if of(&[&s::M_SLOPE]) => self.meets.slope,
             _ if of(listed!(s: PHI_R, CHI_R, S_Q)) => self.slews && self.rope,
             _ => true,
         }

@@ -5,7 +5,7 @@ use crate::component::stages::Found;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 use crate::luffing::moving::control::ByAxis;
-use crate::luffing::moving::given::{Constants, CraneStates, CylinderOil, Fitted, Inputs, Slack};
+use crate::luffing::moving::given::{Constants, CraneStates, CylinderOil, Fitted, Inputs, Meets, Slack};
 use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::hydraulic::Modes;
 use crate::luffing::moving::level::{CraneAt, Level};
@@ -65,6 +65,7 @@ impl MotionSources {
             slewing: None,
             oil: false,
             braked: false,
+            meets: Meets::NOTHING,
         },
     };
 }

@@ -10,12 +10,13 @@
 //! | `control` | controllers of luffing, slewing and hoist |
 //! | `pulled` | a crane that a rope luffs, which may go slack |
 //! | `hydraulic` | the same moved by a cylinder |
+//! | `weather`, `exposed` | wind and slope, as told; what they come to on a mechanism's bodies |
 //! | `geared`, `brakes` | a motor whose shaft turns with the mechanism; brakes on it, which fall on after a delay |
 //! | `weighed` | the counterweight of a balance with its derivatives |
 //! | `level`, `shares`, `powers` | what the levels have in common; what turns the driving link; what gives and takes power |
 //! | `inertia_forces`, `balance_in_motion` | weight and inertia of one body; what a balance does to its boom |
 //! | `given`, `symbols`, `listed` | inputs, states and memory as groups; quantities; which of them a scene has |
-//! | `scene`, `hoisting`, `oil_scene`, `levels` | keys of motion, of rope and hoist, of oil; what descriptions of single booms have in common |
+//! | `scene`, `hoisting`, `oil_scene`, `weather_scene`, `levels` | keys of motion, of rope and hoist, of oil, of wind and slope; what descriptions of single booms have in common |
 //! | `stages`, `luffs` | rates, event indicators, reactions as stages; a component that has them |
 //! | `told` | what the book tells of all that |
 //! | `single` | a single boom in motion, from what a mechanism says of it |
@@ -31,6 +32,7 @@ pub mod control;
 pub mod crane;
 mod driven;
 pub mod dynamics;
+pub mod exposed;
 pub mod follows;
 pub mod fragments;
 pub mod geared;
@@ -58,4 +60,6 @@ pub mod stages;
 pub mod start;
 pub mod symbols;
 pub(crate) mod told;
+pub mod weather;
+mod weather_scene;
 pub mod weighed;

@@ -99,8 +99,8 @@ impl<P: Calc> MovingLinkage<P> {
         let mut weight = Point::new(still, still);
         if !state.grounded {
             weight.y = C::of(self.dynamics.gravity());
-            if let Some(air) = self.dynamics.air_acceleration(r, &m, &reel) {
-                weight -= air;
+            if let Some(outer) = self.dynamics.outer_acceleration(r, &m, &reel) {
+                weight -= outer;
             }
         }
         let held = state.joints[0] == Bar::Held;
@@ -163,8 +163,8 @@ impl<P: Calc> MovingLinkage<P> {
         let head = plane::def(d * a.bar + dd * (y[1] * y[1]), [&s::A_AX, &s::A_AY]);
         let mut head = head + Point::new(C::constant(0.0), C::of(self.dynamics.gravity()));
         let reel = self.reel(state, r, y);
-        if let Some(air) = self.dynamics.air_acceleration(r, &phase(y), &reel) {
-            head -= air;
+        if let Some(outer) = self.dynamics.outer_acceleration(r, &phase(y), &reel) {
+            head -= outer;
         }
         let mut inward = reel.less_gain(y[4] * y[3] * y[3]) - dot(head, out).def(&s::A_AR);
         if let Some((lead, bend)) = led(r, y[1], a.bar) {
@@ -339,12 +339,12 @@ impl Struck<STATES, 1> for MovingLinkage {
         (y[3], y[6]) = (-head.dot(&along) / y[5], -head.dot(&out));
     }
 
-    fn height_and_speed(&self, state: &MotionState, r: &Reduced<f64>) -> [f64; 2] {
+    fn place_and_speed(&self, state: &MotionState, r: &Reduced<f64>) -> (Point<f64>, f64) {
         let (m, reel) = (phase(&state.y), self.reel(state, r, &state.y));
         let [a, d, _] = r.head;
         let (out, along) = directions(m.swing);
         let velocity = d * m.omega + along * (reel.length * m.swing_rate) + out * reel.rate;
-        [a.y + out.y * reel.length, velocity.norm_squared()]
+        (a + out * reel.length, velocity.norm_squared())
     }
 }
 

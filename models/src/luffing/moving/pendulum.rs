@@ -84,7 +84,7 @@ impl<P: Calc> Dynamics<P> {
         }
         let mut work = bend * square + along * pull + forward * coriolis + gravity * rise;
         let mut across = change * square + coriolis + gravity * sin;
-        if let Some([lift, push]) = self.air_along(r, m, &reel) {
+        if let Some([lift, push]) = self.outer_along(r, m, &reel) {
             (work, across) = (work - lift, across - push);
         }
         let work = work.def(&s::W_1);
@@ -177,8 +177,8 @@ impl Dynamics {
         let (sin, cos) = Calc::sin_cos(m.swing);
         let along = Point::new(sin, -cos) * r.paid(0.0, m.omega);
         let velocity = d * m.omega + Point::new(cos, sin) * (length * m.swing_rate) + along;
-        let height = a.y - length * cos;
-        Some(bars + mass * (0.5 * velocity.norm_squared() + self.gravity() * height))
+        let place = a + Point::new(sin, -cos) * length;
+        Some(bars + mass * (0.5 * velocity.norm_squared() + self.potential(place)))
     }
 
     /// A step of `h` s of the classical Runge-Kutta method under a constant moment (N·m); `None` where the linkage opens.

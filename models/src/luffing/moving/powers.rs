@@ -18,8 +18,9 @@ pub(crate) struct Powers {
     pub throttles: f64,
     /// What compresses the oil.
     pub compression: f64,
-    /// What the air takes from the load.
+    /// What the air takes from the load, and the wind gives the bodies.
     pub air: f64,
+    pub wind: f64,
 }
 
 /// Powers of a crane without oil, and the energy of all bodies (J); `None` where the linkage does not close.
@@ -44,6 +45,7 @@ where
         slewing: drives[1],
         hoist: hoist.given,
         air: crane.in_air(&Snapshot { state, r, y, commands })[1],
+        wind: r.outside.map_or(0.0, |outside| outside.wind * y[1]),
         friction: friction + hoist.lost,
         ..Powers::default()
     };
@@ -52,7 +54,8 @@ where
 
 /// The same of one with oil.
 pub(super) fn oil_powers<const N: usize>(system: &Hydraulic<N>, modes: Modes, y: &[f64; N]) -> Option<(Powers, f64)> {
-    let [_, arm] = f64::reduced(system.dynamics(), y[0])?.drive;
+    let r = f64::reduced(system.dynamics(), y[0])?;
+    let [_, arm] = r.drive;
     let oil = Hydraulic::<N>::oil(y);
     let [pump, throttles, compression] = system.cylinder.powers(&oil, arm * y[1], system.supply);
     // A crane that slews does so by the state behind its angle.
@@ -68,6 +71,7 @@ pub(super) fn oil_powers<const N: usize>(system: &Hydraulic<N>, modes: Modes, y:
         throttles,
         compression,
         air: system.in_air(modes, y)?[1],
+        wind: r.outside.map_or(0.0, |outside| outside.wind * y[1]),
         friction: -system.reaction(y[0], y[1]) * y[1] - system.slewing_friction(modes, y)? * turning + hoist.lost,
         ..Powers::default()
     };

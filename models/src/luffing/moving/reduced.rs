@@ -9,6 +9,7 @@ use crate::kernel::calc::{Calc, Over};
 use crate::kernel::symbol::Symbol;
 use crate::luffing::moving::bodies::{Body, Moves, Turntable};
 use crate::luffing::moving::symbols::{self as s, OfSums};
+use crate::luffing::moving::weather::Outside;
 use crate::parts::plane::{Point, dot, squared};
 
 /// What the equations of motion need at one angle, all by derivatives of the positions.
@@ -17,9 +18,9 @@ pub struct Reduced<C> {
     /// Inertia of all bodies and the counterweight at the driven bar (kg·m²), and its change by the angle.
     pub inertia: C,
     pub slope: C,
-    /// Moment of their weights, in N·m; positive lowers the driven bar.
+    /// Moment of their weights, and of wind and slope where there are any, in N·m; positive lowers the driven bar.
     pub moment: C,
-    /// Height of their centres of gravity times their weights, in J.
+    /// Height of their centres of gravity times their weights, on a slope the true one, in J.
     pub energy: C,
     /// Head A: place, first and second derivative by the angle, in m.
     pub head: [Point<C>; 3],
@@ -32,6 +33,8 @@ pub struct Reduced<C> {
     pub lead: Option<[C; 2]>,
     /// Of the motor, where its inertia is a part of the above.
     pub shaft: Option<MotorShaft<C>>,
+    /// What wind and slope add to moment and energy, where it meets them.
+    pub outside: Option<Outside<C>>,
 }
 
 /// The shaft of a motor at one angle of the driving link: its turn for one radian of that, its inertia there (kg·m²), and how
@@ -114,6 +117,17 @@ impl<C: Calc> Reduced<C> {
         }
     }
 
+    /// With wind and slope.
+    #[must_use]
+    pub fn outside(self, outside: Outside<C>) -> Reduced<C> {
+        Reduced {
+            moment: (self.moment - outside.wind - outside.slope).def(&s::M_WO),
+            energy: self.energy + outside.energy,
+            outside: Some(outside),
+            ..self
+        }
+    }
+
     /// The sum over N bodies, under gravity in m/s².
     #[inline]
     pub(crate) fn of<P: Calc, const N: usize>(
@@ -154,6 +168,7 @@ impl<C: Calc> Reduced<C> {
             turn: moves.turn,
             lead: moves.lead,
             shaft: None,
+            outside: None,
         }
     }
 }

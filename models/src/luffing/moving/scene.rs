@@ -7,10 +7,12 @@ use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Values};
 use crate::kernel::symbol::Symbol;
 use crate::luffing::moving::control::reading::Controllers;
-use crate::luffing::moving::given::{Constants, CylinderOil, Inputs};
+use crate::luffing::moving::given::{Constants, CylinderOil, Inputs, Meets};
 use crate::luffing::moving::hoisting::{HoistKind, LoadRope, hoisting, load_rope, load_taken, surround};
 use crate::luffing::moving::oil_scene::{oil_drive, straight_beside_oil};
 use crate::luffing::moving::symbols as s;
+use crate::luffing::moving::weather::Weather;
+use crate::luffing::moving::weather_scene::{meets, not_met};
 use crate::luffing::resistances::train::{BRAKE, MOTOR};
 use crate::parts::air::AIR;
 use crate::parts::control::reading::TABLE;
@@ -26,7 +28,8 @@ use crate::parts::turntable_control;
 /// Keys of `[luffing.dynamics]` beside the inertias of a mechanism's bodies.
 const DYNAMICS: &[Key] = keys! { s:
     C_V >= 0 [optional], M_F >= 0 [optional], G > 0 [optional], STEP > 0 [optional],
-    M_A [over_time, optional], M_S >= 0 [over_time, optional], T_S > 0 [optional], V_H [in_steps, optional], A_H > 0 [optional], L_R > 0 [optional], PHI_R [optional], U_BR [in_steps, optional]
+    M_A [over_time, optional], M_S >= 0 [over_time, optional], T_S > 0 [optional], V_H [in_steps, optional], A_H > 0 [optional], L_R > 0 [optional], PHI_R [optional], U_BR [in_steps, optional],
+    P_WM [over_time, optional], V_WM [over_time, optional], SIGMA_M [over_time, optional]
 };
 
 /// Keys of `[luffing.dynamics]`, those of the bodies first.
@@ -99,6 +102,8 @@ pub struct Moving {
     pub geared: bool,
     /// Whether brakes are on that.
     pub braked: bool,
+    /// What of wind and slope it meets.
+    pub meets: Meets,
     /// In which drives come up to their speed in the book's manoeuvres, in s.
     pub ramp: f64,
 }
@@ -122,6 +127,8 @@ impl Moving {
         let shaft = [
             self.geared.then_some("motor_shaft"),
             self.braked.then_some("shaft_brakes"),
+            self.meets.pressure.then_some("wind_in_motion"),
+            self.meets.slope.then_some("slope_in_motion"),
         ];
         let shaft = shaft.into_iter().flatten();
         load_taken(self.rope.as_ref(), fixed).chain(shaft).chain(controls)
@@ -178,6 +185,8 @@ impl Moving {
         let geared = v.has("drive") && oil.is_none() && on_shaft(&MOTOR);
         let braked = geared && on_shaft(&BRAKE);
         found.extend(no_brake(table, braked));
+        let meets = meets(v, slewing.is_some());
+        found.extend(not_met(table, meets, slewing.is_some()));
         let mut strongest = inputs(v, [table, hoisting], Values::greatest);
         if let Some(controllers) = &controllers {
             controllers.limit(&mut strongest);
@@ -203,6 +212,7 @@ impl Moving {
             rope,
             geared,
             braked,
+            meets,
         })
     }
 }
@@ -228,6 +238,10 @@ fn inputs(v: &Values, [dynamics, hoisting]: [&Values; 2], of: fn(&Values, &str) 
         supply: number(oil, &s::P_P),
         torn: [&s::Y_B1, &s::Y_B2].map(|symbol| number(oil, symbol)),
         braking: number(Some(dynamics), &s::U_BR),
+        weather: Weather {
+            wind: [&s::P_WM, &s::V_WM].map(|symbol| number(Some(dynamics), symbol)),
+            slope: number(Some(dynamics), &s::SIGMA_M),
+        },
         shaft: 0.0,
         wind: [&s::V_AIR, &s::CHI_AIR].map(|symbol| number(v.table(AIR.name), symbol)),
     }

@@ -2,6 +2,7 @@
 
 use crate::kernel::calc::{Calc, Over};
 use crate::luffing::moving::symbols as s;
+use crate::luffing::moving::weather::Pushed;
 use crate::parts::joint::{Bar, Friction, LOOSE};
 use crate::parts::plane::{self, Point};
 
@@ -112,7 +113,17 @@ pub struct Instant<C> {
     pub pull: Option<Point<C>>,
     /// The same along the rope.
     pub tension: Option<C>,
+    /// By wind and slope, where it meets them.
+    pub pushed: Option<Pushed<C>>,
     pub shares: Shares<C>,
+}
+
+impl<C: Calc> Instant<C> {
+    /// Force of the wind forward on a body, by its place among bars and counterweight (N), and its moment about the origin
+    /// (N·m, clockwise).
+    pub fn blown(&self, body: usize) -> Option<[C; 2]> {
+        self.pushed.map(|pushed| pushed.wind[body])
+    }
 }
 
 /// Force of a rope on the head: a pull (N) in the direction of the load.

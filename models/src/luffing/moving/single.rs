@@ -15,8 +15,9 @@ use crate::kernel::record::Rec;
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::Fault;
 use crate::luffing::moving::balance_in_motion::BalanceInMotion;
-use crate::luffing::moving::built::{HoistParts, LevelParts};
+use crate::luffing::moving::built::{HoistParts, LevelParts, Outfit};
 use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
+use crate::luffing::moving::exposed::Exposed;
 use crate::luffing::moving::geared::Geared;
 use crate::luffing::moving::given::{Constants, Fitted};
 use crate::luffing::moving::inertia_forces::weight_and_inertia;
@@ -26,6 +27,7 @@ use crate::luffing::moving::shares::Instant;
 use crate::luffing::moving::stages::{CraneMoves, open, present};
 use crate::luffing::moving::symbols as s;
 use crate::luffing::moving::weighed::{Balanceable, MovedBalance, Weighing, Weight};
+use crate::luffing::resistances::placed::Placing;
 use crate::parts::air::AirAround;
 use crate::parts::ground::GroundBelow;
 use crate::parts::motion::Motion;
@@ -168,7 +170,9 @@ impl<P: Coordinate<P>> Acting<P> {
             Some((mass, travel)) => {
                 let pull = weight_and_inertia(mass, travel, zero, &instant, heavy.gravity);
                 let pull = plane::def(pull, [&s::F_AX, &s::F_AY]);
-                let (pull, tension) = (Some(pull), Some(-pull.y));
+                // It hangs by its whole weight, whatever way that leans.
+                let plumb = instant.pushed.map_or(-pull.y, |pushed| mass * pushed.lean.y - pull.y);
+                let (pull, tension) = (Some(pull), Some(plumb));
                 Instant {
                     pull,
                     tension,
@@ -218,14 +222,14 @@ where
         Heavy::new(&self.own, &self.balance, fixed, gravity).map_err(|fault| Fault::outside(fault.to_string()))
     }
 
-    fn level(&self, heavy: &Arc<Heavy<B, P>>, geared: Option<&Arc<Geared<P>>>) -> Level<P> {
+    fn level(&self, heavy: &Arc<Heavy<B, P>>, fitted: Outfit<P>) -> Level<P> {
         let gravity = self.rest.constants.g;
         let pendulum = self.rest.fitted.rope.and_then(|rope| {
             let load = (self.load / gravity).def(&s::MASS_Q);
             self.hoist.pendulum(load, Some(rope))
         });
         let dynamics = Dynamics::new(heavy.clone(), pendulum, gravity);
-        self.rest.clone().level(dynamics, geared)
+        self.rest.clone().level(dynamics, fitted)
     }
 }
 
@@ -234,7 +238,7 @@ struct SingleInMotion<B>(PhantomData<B>);
 
 type Making<B, P> = fn(&SingleParts<B, P>) -> Result<Heavy<B, P>, Fault>;
 type ActingOf<B, P> = fn(&Level<P>, &Heavy<B, P>, &CraneAt<P>) -> Option<Acting<P>>;
-type Levelling<B, P> = fn(&SingleParts<B, P>, &Arc<Heavy<B, P>>, Option<&Arc<Geared<P>>>) -> Level<P>;
+type Levelling<B, P> = fn(&SingleParts<B, P>, &Arc<Heavy<B, P>>, Outfit<P>) -> Level<P>;
 
 /// What the equations of motion have of it, over a scalar.
 pub struct SingleEquations<B: SingleBoom, P: Calc> {
@@ -314,25 +318,31 @@ pub fn heavy<B: SingleBoom, C: Scalar>(
     Ok(())
 }
 
-/// The equations of the level, nothing being asked of it.
-pub fn built<B: SingleBoom, C: Scalar>(
+/// The equations of the level, nothing being asked of it, in wind and on a slope where it meets them.
+pub fn built<B: SingleBoom, K: Placing, C: Scalar>(
     parts: &[SingleParts<B, C>],
     heavy: &[Renewed<Heavy<B, C>>],
+    exposed: &[Renewed<Exposed<K, C>>],
     room: &mut Vec<Level<C>>,
 ) {
-    driven(parts, heavy, &[], room);
+    driven(parts, heavy, &[], exposed, room);
 }
 
 /// The same with a motor that turns with it, where there is one.
-pub fn driven<B: SingleBoom, C: Scalar>(
+pub fn driven<B: SingleBoom, K: Placing, C: Scalar>(
     parts: &[SingleParts<B, C>],
     heavy: &[Renewed<Heavy<B, C>>],
     geared: &[Renewed<Geared<C>>],
+    exposed: &[Renewed<Exposed<K, C>>],
     room: &mut Vec<Level<C>>,
 ) {
-    let geared = geared.first().map(Renewed::now);
+    let fittings = Outfit::new(geared, exposed);
     room.clear();
-    room.push((C::own::<SingleInMotion<B>>().level)(&parts[0], heavy[0].now(), geared));
+    room.push((C::own::<SingleInMotion<B>>().level)(
+        &parts[0],
+        heavy[0].now(),
+        fittings,
+    ));
 }
 
 /// What acts on it, under present inputs.

@@ -13,6 +13,7 @@ use crate::luffing::moving::symbols as s;
 use crate::parts::ground::Raised;
 use crate::parts::hanging::{Accelerations, HangingLoad, HeadRope, dot, squared, to_load, turned};
 use crate::parts::joint::Bar;
+use crate::parts::plane::Point;
 use crate::parts::solver::Halt;
 
 /// Number of states: angle and rate of the driven bar, of slewing, the load from the head and its rate in
@@ -239,9 +240,9 @@ impl Struck<STATES, 2> for Slewing {
         state.put(load);
     }
 
-    fn height_and_speed(&self, state: &SlewingState, r: &Reduced<f64>) -> [f64; 2] {
+    fn place_and_speed(&self, state: &SlewingState, r: &Reduced<f64>) -> (Point<f64>, f64) {
         let (place, velocity) = self.velocity(state, r, &state.y);
-        [place.y, velocity.norm_squared()]
+        (place.xy(), velocity.norm_squared())
     }
 }
 

@@ -20,6 +20,7 @@ use crate::parts::ground::GroundBelow;
 use crate::parts::hydraulics::cylinder::{Flows, PART_MARGINS};
 use crate::parts::hydraulics::parts::OilParts;
 use crate::parts::hydraulics::symbols as h;
+use crate::parts::plane::Point;
 
 /// The equations over a scalar.
 pub struct Equations<P: Calc> {
@@ -203,10 +204,31 @@ reactions! {
     drum: Drum;
     driving: Drive;
     resisting_slewing: SlewingFriction;
-    air_force: Air with AirAround<C>;
-    air_power: AirPower with AirAround<C>;
-    ground_force: Ground with GroundBelow<C>;
-    height: Height with GroundBelow<C>;
+}
+
+/// Results that are two numbers each.
+macro_rules! pairs {
+    ($($(#[$about:meta])* $name:ident: $one:ident, $other:ident $(with $part:ty)?;)*) => {
+        $($(#[$about])* pub fn $name<C: Scalar>(
+            built: &[Level<C>],
+            told: &[Level<C>],
+            at: &CraneAt<C>,
+            theta: &One<C>,
+            $(_: &$part,)?
+        ) -> Result<Point<C>, Fault> {
+            let of = |which| (C::own::<InMotion>().reaction)(present(built, told), at, which);
+            let found = of(MotionResult::$one).zip(of(MotionResult::$other));
+            found.map(|(one, other)| Point::new(one, other)).ok_or_else(|| open(theta))
+        })*
+    };
+}
+pairs! {
+    /// Force of the air on the load (N), and the power that it takes (W).
+    drag: Air, AirPower with AirAround<C>;
+    /// Force of the ground on the load (N), and the load's height above it (m).
+    standing: Ground, Height with GroundBelow<C>;
+    /// Moments of wind and slope at the driven bar, in N·m.
+    outside: Wind, Slope;
 }
 
 /// Energy that blows have taken, in J.

@@ -194,6 +194,7 @@ fn sources(moving: &Moving) -> MotionSources {
             slewing: slewing.map(|turn| turn.joint.stops),
             oil: oil.is_some(),
             braked: moving.braked,
+            meets: moving.meets,
         },
     }
 }

@@ -1,8 +1,10 @@
 //! Quantities of any luffing mechanism in motion.
 
+use std::f64::consts::FRAC_PI_6;
+
 pub use crate::kernel::gravity::G;
 use crate::kernel::symbol::{Range, Symbol, symbols};
-pub use crate::luffing::resistances::symbols::{DDS_S, DS_S};
+pub use crate::luffing::resistances::symbols::{DDS_S, DS_S, DX_H, DY_H, V_CA, W_GX, W_GY};
 pub use crate::parts::air::{
     A_AIR_X, A_AIR_Y, A_AIR_Z, CHI_AIR, DELTA_AIR, F_AIR, KAPPA_AIR, P_AIR, U_AIR, U_AIR_X, U_AIR_Y, U_AIR_Z, V_AIR,
     W_AIR,
@@ -46,6 +48,9 @@ symbols! {
     M_A: "M_A" "M_A" N_M / KN_M, "Moment of the drive on the driving link; positive turns it counter-clockwise.", "input";
     M_S: "M_S" "M_S" N_M / KN_M [not_negative], "Moment of the brake, added to the dry friction.", "input";
     U_BR: "u_br" "u_\"br\"" ONE / ONE [within(Range::new(0.0, 1.0))], "Command of the brakes on the motor's shaft: from one half on they are called, and each acts after its delay; below, all are lifted at once.", "input";
+    P_WM: "p_wm" "p_\"wm\"" PA / PA, "Pressure of the wind on the areas of the bodies in motion; positive from the rear.", "[Ports001, 5.5.4]";
+    V_WM: "v_wm" "v_\"wm\"" M_PER_S / M_PER_S [from_to(-70.0, 70.0)], "Wind speed at the bodies in motion, whose pressure adds to the given one; positive from the rear.", "[Ports001, 5.5.4]";
+    SIGMA_M: "sigma_m" "sigma_\"m\"" RAD / DEG [within(Range::new(-FRAC_PI_6, FRAC_PI_6))], "Slope of the ground in motion; positive where the front is lower.", "input";
     T_S: "t_s" "t_s" S / S [positive], "Time in which drives come up to their speed, and stop, in the manoeuvres of the book.", "input";
     V_H: "v_h" "v_h" M_PER_S / M_PER_S, "Speed of the hoist rope at the head as commanded; positive lowers the load.", "input";
     A_H: "a_h" "a_h" M_PER_S2 / M_PER_S2 [positive], "Acceleration with which the hoist comes up to its command; without it a change of the command is a blow.", "input";
@@ -92,6 +97,18 @@ symbols! {
     I_R: "I_r" "I" KG_M2 / T_M2, "Inertia of all bars and the counterweight, reduced to the driving link.", "Lagrange";
     DI_R: "dI_r" "I'" KG_M2 / T_M2, "Change of the reduced inertia for one radian of the driving link.", "Lagrange";
     M_W: "M_W" "M_W" N_M / KN_M, "Moment of the weights of bars and counterweight about the foot of the driving link; positive lowers it.", "virtual work";
+    P_WI: "p_wi" "p_\"w\"" PA / PA, "Pressure of the wind on the bodies, by pressure and speed; positive from the rear.", "[Ports001, 5.5.4]";
+    M_WIND: "M_wind" "M_\"w\"" N_M / KN_M, "Moment of the wind on the bodies for one radian of the driving link; positive turns it counter-clockwise.", "virtual work";
+    M_SLOPE: "M_slope" "M_sigma" N_M / KN_M, "Moment of weights by the slope for one radian of the driving link, with that of a load that hangs on no rope; positive turns it counter-clockwise.", "virtual work";
+    M_WO: "M_Wo" "M_\"Wo\"" N_M / KN_M, "Moment of the weights less those of wind and slope; positive lowers the driving link.", "virtual work";
+    A_SLOPE_X: "a_slope.x" "a_(sigma x)" M_PER_S2 / M_PER_S2, "Acceleration by the slope, forward.", "derived";
+    A_SLOPE_Y: "a_slope.y" "a_(sigma y)" M_PER_S2 / M_PER_S2, "Acceleration by the slope, upwards: what gravity lacks.", "derived";
+    V_CY1: "V_cy1" "V_(c y 1)" M3 / M3, "Areas of the first body times drag coefficients times the heights of their centres.", "derived";
+    V_CY2: "V_cy2" "V_(c y 2)" M3 / M3, "Areas of the second body times drag coefficients times the heights of their centres.", "derived";
+    V_CY3: "V_cy3" "V_(c y 3)" M3 / M3, "Areas of the third body times drag coefficients times the heights of their centres.", "derived";
+    M_W1: "M_w1" "M_(w 1)" N_M / KN_M, "Moment of the wind on the first body about its first joint, beyond that of the same force in its centre of gravity; clockwise positive.", "equilibrium";
+    M_W2: "M_w2" "M_(w 2)" N_M / KN_M, "Moment of the wind on the second body about its first joint, beyond that of the same force in its centre of gravity; clockwise positive.", "equilibrium";
+    M_W3: "M_w3" "M_(w 3)" N_M / KN_M, "Moment of the wind on the third body about its first joint, beyond that of the same force in its centre of gravity; clockwise positive.", "equilibrium";
     DPSI_M: "dpsi_M" "psi'_M" ONE / ONE, "Turn of the motor's shaft for one radian of the driving link.", "derived";
     DDPSI_M: "ddpsi_M" "psi''_M" ONE / ONE, "Change of that for one radian of the driving link.", "derived";
     I_M: "I_M" "I_M" KG_M2 / T_M2, "Inertia of the motor's shaft, reduced to the driving link.", "Lagrange";
@@ -170,6 +187,7 @@ symbols! {
     W_SL: "W_sl" "W_\"sl\"" J / KJ, "Work of the slewing drive.", "derived";
     W_H: "W_h" "W_h" J / KJ, "Work of the hoist on the rope.", "derived";
     W_P: "W_P" "W_P" J / KJ, "Work of the pump.", "derived";
+    W_WIND: "W_wind" "W_\"w\"" J / KJ, "Work of the wind on the bodies.", "derived";
     W_R: "W_R" "W_R" J / KJ, "Energy that friction, brakes, end stops and a rope's damping have taken.", "derived";
     W_T: "W_T" "W_T" J / KJ, "Energy that edges, lines, relief valves and leakage have taken.", "derived";
     W_BLOW: "W_blow" "W_\"blow\"" J / KJ, "Energy that blows at end stops and of the rope have taken, the hoist's share in them included: what it gives by a blow counts negative.", "equations of motion";
@@ -201,6 +219,10 @@ symbols! {
     Z_DRUM_REST: "z.drum_rest" "z_14" ONE / ONE, "Falls below zero where the hoist's drum comes to rest, or breaks loose paying out.", "event";
     Z_DRUM_LOOSE: "z.drum_loose" "z_15" ONE / ONE, "Falls below zero where the hoist's drum breaks loose reeling in.", "event";
 }
+
+/// What the wind's moments have of each bar.
+pub(crate) static OF_AREAS: [&Symbol; 3] = [&V_CY1, &V_CY2, &V_CY3];
+pub(crate) static OF_WIND: [&Symbol; 3] = [&M_W1, &M_W2, &M_W3];
 
 /// Travel forward and up by the driving angle, first and second derivative.
 pub(crate) type OfCentre = [[&'static Symbol; 2]; 2];

@@ -5,9 +5,11 @@ use std::f64::consts::TAU;
 use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
+use crate::kernel::symbol::Symbol;
 use crate::luffing::resistances::given::Case;
 use crate::luffing::resistances::sums::Sums;
 use crate::luffing::resistances::symbols as s;
+use crate::parts::plane::Point;
 
 /// A case but for friction. Moments in N·m, positive where they raise the boom.
 #[derive(Clone, Copy, Debug)]
@@ -72,7 +74,7 @@ impl<C: Calc> Resisted<C> {
         let (q, half) = ((case.k_q * load.1), C::constant(0.5));
         let [rate, bend] = rates(sums.way, case);
         let slewing = (C::constant(TAU) * case.n).def(&s::OMEGA_S);
-        let pressure = pressure(air, case);
+        let pressure = pressure(air.1, [case.p, case.v_w], &s::P_I);
         let (sin, cos) = case.alpha.sin_cos();
         let own = sums.own;
         let load = (-(q * sums.load)).def(&s::M_R_LOAD);
@@ -109,16 +111,21 @@ fn rates<C: Calc>([way, change]: [C; 2], case: &Case<C>) -> [C; 2] {
 }
 
 /// p = p_w + c v |v|. [Ports001, 5.5.4]
-fn pressure<C: Calc>(air: &One<C>, case: &Case<C>) -> C {
-    if case.v_w.value() == 0.0 {
-        return case.p.over(air.1 * case.v_w);
+pub fn pressure<C: Calc>(air: C, [given, speed]: [C; 2], name: &'static Symbol) -> C {
+    if speed.value() == 0.0 {
+        return given.over(air * speed);
     }
-    (case.p + air.1 * case.v_w * case.v_w.abs()).def(&s::P_I)
+    (given + air * speed * speed.abs()).def(name)
 }
 
 /// Weights and load lean by the slope: forward by its sine, and are lighter by what its cosine lacks.
 fn slope<C: Calc>(sums: &Sums<C>, q: C, sigma: C) -> C {
+    let at = Point::new(sums.weighed.x + q * sums.head.x, sums.weighed.y + q * sums.head.y);
+    leaning(at, sigma).def(&s::M_R_SLOPE)
+}
+
+/// Of weights times their places, or their travels, forward and up, what a slope (rad) makes of them.
+pub fn leaning<C: Calc>(weighed: Point<C>, sigma: C) -> C {
     let (sin, cos) = sigma.sin_cos();
-    let [forward, up] = [sums.weighed.x + q * sums.head.x, sums.weighed.y + q * sums.head.y];
-    (forward * sin + up * (C::constant(1.0) - cos)).def(&s::M_R_SLOPE)
+    weighed.x * sin + weighed.y * (C::constant(1.0) - cos)
 }

@@ -33,6 +33,18 @@ pub struct Placed<C> {
 }
 
 impl<C: Calc> Placed<C> {
+    /// With another one, each number with the one in its place.
+    pub fn with<D: Calc>(&self, other: &Placed<C>, f: impl Fn(C, C) -> D) -> Placed<D> {
+        let both = |one: &Point<C>, other: &Point<C>| one.zip_map(other, &f);
+        Placed {
+            bars: std::array::from_fn(|i| std::array::from_fn(|j| both(&self.bars[i][j], &other.bars[i][j]))),
+            head: both(&self.head, &other.head),
+            load: f(self.load, other.load),
+            counterweight: both(&self.counterweight, &other.counterweight),
+            way: f(self.way, other.way),
+        }
+    }
+
     fn map<D: Calc>(&self, f: &mut dyn FnMut(C) -> D) -> Placed<D> {
         Placed {
             bars: self.bars.map(|bar| bar.map(|point| point.map(&mut *f))),
@@ -47,7 +59,7 @@ impl<C: Calc> Placed<C> {
 /// A mechanism as its drive feels it.
 pub trait Placing: 'static {
     /// What its places follow from, over a scalar.
-    type Of<C: Calc>: Clone;
+    type Of<C: Calc>: Clone + Send + Sync;
 
     /// The bar that is the boom which a balance sees.
     const BALANCED: usize = 0;
@@ -118,7 +130,7 @@ impl<C: Scalar> MovedBars<C> {
         residual: Option<&Residual<C>>,
         angle: C,
     ) -> Found<MovedBars<C>> {
-        let at = C::own::<Twice<K>>()(of, angle).ok_or_else(absent)?;
+        let at = places::<K, C>(of, angle).ok_or_else(absent)?;
         let mut moved = MovedBars {
             at,
             of: *weighty,
@@ -159,6 +171,11 @@ impl<C: Calc> MovedBars<C> {
         let [e, d, dd] = self.at.each_ref().map(|placed| placed.bars[bar][1]);
         [cross(e, d), cross(e, dd)]
     }
+}
+
+/// Places of a mechanism and their two derivatives by the luffing angle, at an angle (rad); `None` where it does not close.
+pub fn places<K: Placing, C: Scalar>(of: &K::Of<C>, at: C) -> Option<[Placed<C>; 3]> {
+    C::own::<Twice<K>>()(of, at)
 }
 
 /// Each scalar has derivatives by the luffing angle in its own way.

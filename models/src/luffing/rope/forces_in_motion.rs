@@ -59,7 +59,7 @@ impl<C: Calc> RopeForces<C> {
         let centre = plane::def(centre, [&s::S_BX, &s::S_BY]);
         let mass = (weights.g_b / constants.g).def(&s::MASS_B);
         let turned = Point::new(-centre.y, centre.x);
-        let boom = PosedBody::in_plane([mass, inertia.j_b], centre, [turned, -centre]);
+        let boom = PosedBody::in_plane((0, C::constant(0.0)), [mass, inertia.j_b], centre, [turned, -centre]);
         let at = &acting.at;
         let own = boom.force(at, constants.g, [&s::F_IBX, &s::F_IBY]);
         let m_bo = boom.moment(at, own).def(&s::M_BO);

@@ -35,7 +35,8 @@ pub struct BoomPlaces<C> {
     balancing: Option<Balancing<C>>,
 }
 
-struct OfBoom;
+/// How they follow from that.
+pub struct OfBoom;
 
 impl Placing for OfBoom {
     type Of<C: Calc> = BoomPlaces<C>;

@@ -39,16 +39,7 @@ impl Shown for Rope {
         ),
     ];
 
-    const STAGES: &'static [&'static str] = &[
-        "moves",
-        "led",
-        "height",
-        "ground_force",
-        "tackle",
-        "acting",
-        "countered",
-        "forces",
-    ];
+    const STAGES: &'static [&'static str] = &["moves", "led", "standing", "tackle", "acting", "countered", "forces"];
 
     const DRIVE: Drawn = ("rope_dynamic", &s::T_DYN);
 

@@ -16,7 +16,9 @@ use crate::luffing::balancing::{Balanced, Balancing};
 use crate::luffing::criteria::Criteria;
 use crate::luffing::moving::balance_in_motion::BalanceInMotion;
 use crate::luffing::moving::built::HoistParts;
-use crate::luffing::moving::fragments::{boom_rates, coordinate, plant, remembered, single_boom, surrounded, told};
+use crate::luffing::moving::fragments::{
+    boom_rates, coordinate, exposed, plant, remembered, single_boom, surrounded, told,
+};
 use crate::luffing::moving::given::{Fitted, Slack};
 use crate::luffing::moving::level::{CraneAt, Level};
 use crate::luffing::moving::listed::{Said, luffing_component, said};
@@ -42,7 +44,7 @@ use crate::luffing::with_balance::with_balance;
 /// Quantities at rest and in motion.
 mod s {
     pub use crate::balance::symbols::{F_KX, F_KY, F_MX, F_MY, N_1};
-    pub use crate::luffing::moving::symbols::{F_AIR, H_G, M_R, N_G, P_AIR, S_R, W_BLOW, Z_LOW};
+    pub use crate::luffing::moving::symbols::{F_AIR, H_G, M_R, M_SLOPE, M_WIND, N_G, P_AIR, S_R, W_BLOW, Z_LOW};
     pub use crate::luffing::resistances::symbols::F_R;
     pub use crate::luffing::rope::symbols::*;
 }
@@ -92,7 +94,8 @@ composed! {
         roped: RopedParts<C> = RopedParts::new(rig, compensation, weights[!], inertia[!], choice) => _;
         hoist: HoistParts<C> = HoistParts::by_speed(ramp, give) => _;
         ..single_boom(Roped, roped);
-        built[constants]: Vec<Level<C>> = single::built(parts, boom) => _;
+        ..exposed(OfBoom);
+        built[constants]: Vec<Level<C>> = single::built(parts, boom, exposed) => _;
         ..told(phi, omega);
         still: CraneAt<C> = stages::at(phi, omega, states[!], wound, past[!], commands, brake, second, fitted) => _;
         at: CraneAt<C> = stages::hanging(still, slack[!]) => _;

@@ -15,9 +15,8 @@ use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::parameters::{Parameters, Weights};
 use crate::luffing::double_link::pose::Posing;
 use crate::luffing::moving::bodies::Body;
-use crate::luffing::moving::built::{HoistParts, LevelParts};
+use crate::luffing::moving::built::{HoistParts, LevelParts, Outfit};
 use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
-use crate::luffing::moving::geared::Geared;
 use crate::luffing::moving::given::{Constants, CylinderOil, Fitted};
 use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::level::Level;
@@ -77,8 +76,8 @@ where
         })
     }
 
-    /// The equations of its level, nothing being asked of it; with a motor that turns with it, where there is one.
-    pub fn level(&self, linkage: &Arc<HeavyLinkage<P>>, geared: Option<&Arc<Geared<P>>>) -> Level<P> {
+    /// The equations of its level, nothing being asked of it.
+    pub fn level(&self, linkage: &Arc<HeavyLinkage<P>>, fittings: Outfit<P>) -> Level<P> {
         let Bodies { pendulum, gravity, .. } = linkage.bodies;
         let dynamics = Dynamics::new(linkage.clone(), pendulum, gravity);
         let oil = self.oil.zip(self.parameters.cylinder);
@@ -92,7 +91,7 @@ where
             ground: self.ground,
             fitted: self.fitted,
         }
-        .level(dynamics, geared)
+        .level(dynamics, fittings)
     }
 
     fn bodies(&self, geometry: &Geometry<P>) -> Bodies<P> {

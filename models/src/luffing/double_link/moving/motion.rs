@@ -18,7 +18,10 @@ use crate::luffing::double_link::moving::built::{CraneParts, Inertias};
 use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::parameters::{Choice, Parameters};
 use crate::luffing::double_link::pose::Posing;
+use crate::luffing::double_link::resisting::OfLink;
+use crate::luffing::moving::built::Outfit;
 use crate::luffing::moving::dynamics::Coordinate;
+use crate::luffing::moving::exposed::Exposed;
 use crate::luffing::moving::geared::Geared;
 use crate::luffing::moving::given::{Constants, CylinderOil, Fitted};
 use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
@@ -30,7 +33,7 @@ use crate::parts::ground::GroundBelow;
 use crate::parts::hydraulics::parts::OilParts;
 use crate::parts::turntable::Turning;
 
-type Levelling<P> = fn(&CraneParts<P>, &Arc<HeavyLinkage<P>>, Option<&Arc<Geared<P>>>) -> Level<P>;
+type Levelling<P> = fn(&CraneParts<P>, &Arc<HeavyLinkage<P>>, Outfit<P>) -> Level<P>;
 
 type ForcesOf<P> = fn(&Level<P>, &HeavyLinkage<P>, &CraneAt<P>) -> Option<ForcesInMotion<P>>;
 
@@ -119,11 +122,12 @@ pub fn built<C: Scalar>(
     parts: &[CraneParts<C>],
     linkage: &[Renewed<HeavyLinkage<C>>],
     geared: &[Renewed<Geared<C>>],
+    exposed: &[Renewed<Exposed<OfLink, C>>],
     room: &mut Vec<Level<C>>,
 ) {
-    let geared = geared.first().map(Renewed::now);
+    let fittings = Outfit::new(geared, exposed);
     room.clear();
-    room.push((C::own::<LinkInMotion>().level)(&parts[0], linkage[0].now(), geared));
+    room.push((C::own::<LinkInMotion>().level)(&parts[0], linkage[0].now(), fittings));
 }
 
 /// Rates of angle and rate of the driven bar, boom or rocker.

@@ -46,6 +46,7 @@ impl Energy {
                 (slews, &m::W_SL, work.slewing),
                 (hangs && moving.hoists(), &m::W_H, work.hoist),
                 (oil, &m::W_P, work.pump),
+                (moving.meets.pressure, &m::W_WIND, work.wind),
             ]),
             stored: there(&[
                 (true, &m::DELTA_E, self.end - self.start - self.blows),
@@ -64,7 +65,7 @@ impl Energy {
 
 /// What is left of the powers for the bodies.
 pub(super) fn net(p: &Powers) -> f64 {
-    p.drive + p.slewing + p.hoist + p.pump - p.friction - p.throttles - p.compression - p.air
+    p.drive + p.slewing + p.hoist + p.pump + p.wind - p.friction - p.throttles - p.compression - p.air
 }
 
 /// What rounding may leave between two energies.
@@ -74,7 +75,7 @@ pub(super) fn rounding(before: f64, after: f64) -> f64 {
 
 /// What was given and taken.
 pub(super) fn turnover(work: &Powers) -> f64 {
-    let given = work.pump.abs() + work.slewing.abs() + work.hoist.abs();
+    let given = work.pump.abs() + work.slewing.abs() + work.hoist.abs() + work.wind.abs();
     given + work.throttles + work.friction + work.compression.abs() + work.air.abs()
 }
 
@@ -90,6 +91,7 @@ pub(super) fn sum(parts: &[(&Powers, f64)]) -> Powers {
         throttles: of(|p| p.throttles),
         compression: of(|p| p.compression),
         air: of(|p| p.air),
+        wind: of(|p| p.wind),
     }
 }
 
@@ -137,6 +139,11 @@ pub(super) fn integrals(moving: &Moving, rate: &'static Symbol) -> Vec<Integral>
         integral(slews, &m::W_SL, vec![of(false, &[&m::M_SL, &m::OMEGA_SL], None)]),
         integral(hangs && moving.hoists(), &m::W_H, vec![hoist]),
         integral(oil, &m::W_P, vec![pump()]),
+        integral(
+            moving.meets.pressure,
+            &m::W_WIND,
+            vec![of(false, &[&m::M_WIND, rate], None)],
+        ),
         integral(oil, &m::E_OIL, compression(false)),
         integral(true, &m::W_R, friction.into_iter().flatten().collect()),
         integral(oil, &m::W_T, resisted),

@@ -138,7 +138,8 @@ pub(super) fn at_rest(moving: &Moving) -> Moving {
     (rest.inputs.hoist.speed, rest.inputs.hoist.drive, rest.inputs.valve) = (0.0, JointDrive::NONE, 0.0);
     rest.inputs.braking = 0.0;
     if let Some(rope) = &mut rest.rope {
-        rope.swing = 0.0;
+        // Straight down is aslant where the ground is.
+        rope.swing = rest.inputs.weather.slope;
     }
     if let Some(slewing) = &mut rest.slewing {
         (slewing.joint.start[1], slewing.side) = (0.0, 0.0);

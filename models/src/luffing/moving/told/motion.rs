@@ -16,6 +16,7 @@ use crate::drive::symbols as d;
 use crate::kernel::record::record;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Role;
+use crate::luffing::moving::carried;
 use crate::luffing::moving::control::ByAxis;
 use crate::luffing::moving::given::{INPUTS, STATES};
 use crate::luffing::moving::hydraulic::CREEP;
@@ -29,11 +30,12 @@ use crate::luffing::moving::told::present::{recorded, standing};
 use crate::luffing::moving::told::run::{EVENTS, Run, timed};
 use crate::luffing::moving::told::shown::Shown;
 use crate::luffing::moving::told::stop::Stop;
+use crate::luffing::moving::weather::Weather;
 use crate::parts::hydraulics::symbols as h;
 use crate::parts::hydraulics::throttle::LAMINAR;
 
 /// What the formulas of a section give; those of the assembled model stand among them. A mechanism has its own besides.
-const SECTIONS: [(&str, &[&Symbol]); 12] = [
+const SECTIONS: [(&str, &[&Symbol]); 13] = [
     (
         "motion_counterweight",
         &[&m::MASS_5, &b::C_5X, &b::C_5Y, &m::DX_5, &m::DY_5, &m::DDX_5, &m::DDY_5],
@@ -43,6 +45,17 @@ const SECTIONS: [(&str, &[&Symbol]); 12] = [
         listed! { m:
             MASS_Q, I_R5, DI_R5, I_R, DI_R, M_W, DDA_X, DDA_Y, DS_S, DDS_S, DPSI_M, DDPSI_M, I_M, DI_M, I_ALL, DI_ALL
         },
+    ),
+    (
+        "motion_weather",
+        &[
+            &m::P_WI,
+            &m::M_WIND,
+            &m::M_SLOPE,
+            &m::M_WO,
+            &m::A_SLOPE_X,
+            &m::A_SLOPE_Y,
+        ],
     ),
     ("motion_slewing", &[]),
     (
@@ -116,6 +129,9 @@ const SECTIONS: [(&str, &[&Symbol]); 12] = [
             &m::M_RV,
             &m::M_RS,
             &m::M_IM,
+            &m::M_W1,
+            &m::M_W2,
+            &m::M_W3,
             &m::F_5X,
             &m::F_5Y,
             &m::M_I5,
@@ -206,7 +222,7 @@ pub(crate) fn moved<T: Shown>(luffing: &Description<T>) -> Option<Moved> {
         coordinate,
         instant: (instant.0, manoeuvres[of].id, shown.instant),
         of: None,
-        state: state(&mut model, [coordinate, rate]),
+        state: [state(&mut model, [coordinate, rate]), heights::<T>(&mut model)].concat(),
         constants,
         sections: sections::<T>(&model).into_iter().chain(sample).collect(),
         ramp: Some((&m::T_S, moving.ramp)),
@@ -272,6 +288,23 @@ fn state(model: &mut MovingComponent, bar: [&'static Symbol; 2]) -> Vec<(&'stati
         .filter_map(|(index, symbol)| Some((symbol, model.get(index).ok()?)))
         .filter(|(symbol, _)| [&STATES[..], &INPUTS, &bar].iter().any(|list| list.contains(symbol)))
         .collect()
+}
+
+/// What the wind's moments have of each bar as it is now, where it blows.
+fn heights<T: Shown>(model: &mut MovingComponent) -> Vec<(&'static Symbol, f64)> {
+    let known = carried::known::<T::Component>(model.parts().0);
+    let Ok((level, at)) = T::Component::in_motion(known) else {
+        return Vec::new();
+    };
+    let one = Weather {
+        wind: [1.0, 0.0],
+        slope: 0.0,
+    };
+    let outdoors = level.dynamics().weather();
+    let moments = outdoors.and_then(|outdoors| outdoors.to.pushes(at.y[0], &one));
+    let moments = moments.iter().flatten().map(|[_, moment]| *moment);
+    let of = m::OF_AREAS.into_iter().zip(moments);
+    of.filter(|(_, moment)| *moment != 0.0).collect()
 }
 
 /// The equations at the model's instant. Each section is recorded from the start and shows its own steps.

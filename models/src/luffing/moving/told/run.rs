@@ -268,6 +268,7 @@ impl Run {
             pump,
             friction,
             throttles,
+            wind,
             ..
         } = self.energy.work;
         let amounts = [
@@ -277,6 +278,7 @@ impl Run {
             pump,
             friction,
             throttles,
+            wind,
             self.energy.end - self.energy.start,
             self.energy.kinetic,
         ];
