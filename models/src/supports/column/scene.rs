@@ -46,7 +46,7 @@ pub const KEYS: &[Key] = keys! { s:
 static BEARINGS: &[Key] = keys! { s: D_U > 0, B_U > 0, D_F > 0, B_F > 0, D_P > 0, D_I >= 0 [usually(0.0)] };
 static FRICTION: &[Key] = keys! { s: MU_U >= 0, MU_F >= 0, MU_P >= 0 };
 static COUNTERWEIGHT: &[Key] = keys! { s: R_D > 0 };
-const LIMITS: &[Key] = &Limit::keys::<12>(OUTLINE.limits);
+const LIMITS: &[Key] = &Limit::keys::<16>(OUTLINE.limits);
 
 /// A column as the scene describes it; SI.
 #[derive(Clone, Debug)]
@@ -138,6 +138,8 @@ impl Described for ColumnScene {
             gravity: turning.gravity,
             drive: turning.drive,
             rope: turning.rope,
+            slip: turning.start.slip,
+            inverter: turning.start.inverter,
             works: turning.works.clone(),
             places: turning.places.clone(),
             holds: turning.holds.clone(),

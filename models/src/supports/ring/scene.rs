@@ -71,7 +71,7 @@ static LIFE: &[Key] = keys! { s: C_D > 0, K_H >= 0 [usually(0.75)] };
 static MAKER: &[Key] = keys! { s: MU_M >= 0;
     Key::new("form", Kind::Choice(&FORMS), "The maker's form: Rothe Erde's of ball or of roller rings, or another maker's of ball rings, in which the horizontal force counts 2.2 times.")
 };
-const LIMITS: &[Key] = &Limit::keys::<15>(OUTLINE.limits);
+const LIMITS: &[Key] = &Limit::keys::<19>(OUTLINE.limits);
 
 /// A slewing ring as the scene describes it; SI.
 #[derive(Clone, Debug)]
@@ -229,6 +229,8 @@ impl Described for RingScene {
             gravity: turning.gravity,
             drive: turning.drive,
             rope: turning.rope,
+            slip: turning.start.slip,
+            inverter: turning.start.inverter,
             works: turning.works.clone(),
             places: turning.places.clone(),
             holds: turning.holds.clone(),
