@@ -40,7 +40,7 @@ pub fn between(from: f64, to: f64) -> impl Iterator<Item = f64> {
 }
 
 /// Points at which a quantity is looked at before its extremes are refined.
-const GRID: usize = 96;
+pub(super) const GRID: usize = 96;
 
 /// A quantity with its derivative at these points.
 pub type Looked = [Dual64; GRID + 1];
@@ -113,7 +113,7 @@ pub fn peak(motion: &Motion, looked: &Looked, f: &mut dyn FnMut(Dual64) -> Optio
 /// Two neighbouring numbers between which `f` rises no more, from two places with their slopes: by the method of Oliveira
 /// and Takahashi (ITP, 2020), a secant's step kept so near to the middle that it never takes more than one step beyond
 /// bisection; by bisection where slopes are not known.
-fn turn(
+pub(super) fn turn(
     [mut low, mut high]: [f64; 2],
     [mut rising, mut falling]: [f64; 2],
     nothing: impl Fn(f64) -> bool,

@@ -2,6 +2,7 @@
 
 use std::panic::resume_unwind;
 
+use crate::component::aside::Peak;
 use crate::component::cycle::cycle;
 use crate::component::dependencies::recorded;
 use crate::component::description::{Described, Description};
@@ -11,6 +12,7 @@ use crate::component::judged::{Judged, judged};
 use crate::component::outline::{Explained, Greatest, Line, Most, Outline, Published, SectionOutline};
 use crate::component::part::{Face, Part};
 use crate::component::peaks::Peaks;
+use crate::component::places::{Position, body, positions, stand, worst};
 use crate::component::running::Running;
 use crate::component::sensitivity::sensitivity;
 use crate::component::shaped;
@@ -22,7 +24,7 @@ use crate::kernel::origin::Origins;
 use crate::kernel::record::{Rec, only, record, steps};
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::{Fault, Quantity, Role, Type};
-use crate::parts::motion::{Motion, Place};
+use crate::parts::motion::Place;
 
 /// Whether the scene has a variable.
 #[must_use]
@@ -31,7 +33,7 @@ pub fn exists(model: &Standing, symbol: &'static Symbol) -> bool {
 }
 
 /// Where the variables of a symbol stand: one, or as many as it is numbered to.
-fn indices(model: &Standing, symbol: &'static Symbol) -> Vec<usize> {
+pub(super) fn indices(model: &Standing, symbol: &'static Symbol) -> Vec<usize> {
     let variables = model.variables();
     (0..variables.len())
         .filter(|&index| variables[index].symbol == symbol)
@@ -178,7 +180,7 @@ pub fn sheet<T: Described>(told: &Description<T>, origins: &Origins, asked: &[Pl
 /// All but what moves.
 fn at_rest<T: Described>(told: &Description<T>, model: &mut Standing, origins: &Origins, asked: &[Place]) -> Sheet {
     let outline = T::OUTLINE;
-    let mut peaks = Peaks::new(model);
+    let mut peaks = Peaks::over(model, T::aside(told));
     let Judged {
         governing,
         summary,
@@ -187,16 +189,24 @@ fn at_rest<T: Described>(told: &Description<T>, model: &mut Standing, origins: &
     } = judged(told, model, &mut peaks, &|_| true);
     let forces = forces(model, &mut peaks, outline);
     let positions = positions(outline, model.motion(), asked, &governing);
+    let there = worst(outline, model.motion(), &governing);
+    stand(model, there.aside);
+    if there.aside.is_some() {
+        peaks = Peaks::new(model);
+    }
     let of = body(model, outline, &governing);
+    let worked = positions.into_iter().map(|place| {
+        stand(model, place.aside);
+        worked::<T>(model, place, of)
+    });
+    let worked = worked.collect();
+    stand(model, there.aside);
     let mut sheet = Sheet {
         assumptions: T::assumptions(told),
         inputs: told.inputs(origins),
         uses: uses(outline),
         constants: constants::<T>(model, of),
-        positions: positions
-            .into_iter()
-            .map(|(id, at)| worked::<T>(model, id, at, of))
-            .collect(),
+        positions: worked,
         range: table(model, outline.table),
         curves: lines(told, model, &mut peaks, outline.curves),
         drawing: T::drawing(told, T::drawn_at(told)),
@@ -227,7 +237,6 @@ fn uses(outline: &Outline) -> Vec<(&'static str, Vec<&'static Symbol>)> {
 
 /// Least and greatest values over the working range of what other parts are designed for.
 fn forces(model: &Standing, peaks: &mut Peaks, outline: &'static Outline) -> Vec<[Summary; 2]> {
-    let coordinate = model.variables()[0].symbol;
     peaks.look(model, outline.forces.iter().copied());
     let of = |&symbol: &&'static Symbol| {
         let known = outline.extremes.iter().find(|extreme| extreme.of == symbol);
@@ -237,10 +246,11 @@ fn forces(model: &Standing, peaks: &mut Peaks, outline: &'static Outline) -> Vec
             let found = peaks.most(model, &Greatest { pole, ..own })?;
             let value = match end {
                 // It is so to both sides.
-                Most::Least if found.value == f64::INFINITY => -found.value,
-                _ => found.value,
+                Most::Least if found.extreme.value == f64::INFINITY => f64::NEG_INFINITY,
+                _ => found.extreme.value,
             };
-            Some(Summary::at(symbol, Extreme { value, ..found }, coordinate))
+            let extreme = Extreme { value, ..found.extreme };
+            Some(peaks.summary(model, symbol, Peak { extreme, ..found }))
         };
         Some([end(Most::Least)?, end(Most::Greatest)?])
     };
@@ -288,55 +298,24 @@ pub fn compared(published: &Published, model: &mut Standing) -> Vec<Result<Vec<C
     published.rows.iter().map(&mut row).collect()
 }
 
-/// Of which of several bodies, numbered from 1, the formulas speak: of the one that governs at the worst position, else
-/// of the first. `None` where there are not several.
-fn body(model: &mut Standing, outline: &'static Outline, governing: &[Summary]) -> Option<usize> {
-    let (_, symbol) = outline.worst[0];
-    let of = outline.extremes.iter().find(|extreme| extreme.symbol == symbol)?.of;
-    model
-        .variables()
-        .iter()
-        .find(|variable| variable.symbol == of)?
-        .number?;
-    let found = governing
-        .iter()
-        .find(|found| found.symbol == symbol)
-        .and_then(|found| found.at);
-    let own = outline.extremes.iter().find(|extreme| extreme.symbol == symbol);
-    let several = |extreme: &&Greatest| indices(model, extreme.of).len() > 1;
-    let extreme = own.filter(several).or(outline.extremes.iter().find(several)).or(own);
-    let Some((extreme, (_, at))) = extreme.zip(found) else {
-        return Some(1);
-    };
-    let all = numbered(model, extreme.of, at);
-    let most = |best: usize, i: usize| {
-        if extreme.most.is_before(all[best], all[i]) {
-            i
-        } else {
-            best
-        }
-    };
-    Some(1 + (0..all.len()).fold(0, most))
-}
-
 /// Formulas that do not depend on the position.
 #[must_use]
 pub fn constants<T: Described>(model: &Standing, of: Option<usize>) -> Vec<Section> {
     run::<T>(model, (model.motion().from, of), &[], T::OUTLINE.constants)
 }
 
-/// The formulas at a position.
-#[must_use]
-pub fn worked<T: Described>(model: &Standing, id: &'static str, at: f64, of: Option<usize>) -> Worked {
+/// The formulas at a position, at whose second coordinate the model stands.
+fn worked<T: Described>(model: &Standing, place: Position, of: Option<usize>) -> Worked {
     let Outline {
         constants, sections, ..
     } = T::OUTLINE;
     Worked {
-        id,
+        id: place.id,
         coordinate: model.variables()[0].symbol,
-        value: at,
+        value: place.at,
+        aside: place.aside,
         of,
-        sections: run::<T>(model, (at, of), constants, sections),
+        sections: run::<T>(model, (place.at, of), constants, sections),
     }
 }
 
@@ -354,36 +333,6 @@ pub fn explained<T: Described>(
         ..
     } = T::OUTLINE;
     run::<T>(model, at, &[*constants, *own, before].concat(), sections)
-}
-
-/// Positions at which the formulas are worked out, with their names: what the scene asks for, otherwise the worst.
-#[must_use]
-pub fn positions(
-    outline: &Outline,
-    motion: &Motion,
-    asked: &[Place],
-    governing: &[Summary],
-) -> Vec<(&'static str, f64)> {
-    let middle = ("middle", f64::midpoint(motion.from, motion.to));
-    let greatest = |id: &str| governing.iter().find(|g| g.symbol.id == id)?.at;
-    let known = |symbol: &Symbol| governing.iter().find(|g| g.symbol == symbol && g.value != 0.0)?.at;
-    let mut worst = outline
-        .worst
-        .iter()
-        .filter_map(|(name, symbol)| Some((*name, known(symbol)?.1)));
-    let worst = worst.next().unwrap_or(middle);
-    let position = |place: &Place| match *place {
-        Place::At(at) => ("chosen", at),
-        Place::Named("governing") => worst,
-        Place::Named("middle") => middle,
-        Place::Named("from") => ("from", motion.from),
-        Place::Named("to") => ("to", motion.to),
-        Place::Named(id) => greatest(id).map_or(middle, |(_, at)| (id, at)),
-    };
-    match asked {
-        [] => vec![worst],
-        places => places.iter().map(position).collect(),
-    }
 }
 
 /// Results over the working range, a row for each step of the scene.

@@ -1,5 +1,6 @@
 //! A column as scenes describe it and books tell it.
 
+use crate::component::aside::Aside;
 use crate::component::description::{Described, Description, Vocabulary};
 use crate::component::draw::{Draw, along, polar};
 use crate::component::mechanism::Entry;
@@ -13,6 +14,7 @@ use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Values};
 use crate::kernel::symbol::Symbol;
 use crate::luffing::kinds::CARRIED;
+use crate::luffing::luffed::Luffer;
 use crate::parts::motion::Motion;
 use crate::parts::plane::Point;
 use crate::supports::column::checks::about_the_foot;
@@ -158,6 +160,10 @@ impl Described for ColumnScene {
 
     fn levels(&self) -> Vec<&'static str> {
         vec!["static"]
+    }
+
+    fn aside(this: &Description<ColumnScene>) -> Option<Aside> {
+        this.given.luffer.as_ref().map(Luffer::aside)
     }
 
     fn identities(this: &Description<ColumnScene>, model: &mut Standing) -> Vec<Check> {

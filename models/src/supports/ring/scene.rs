@@ -1,9 +1,11 @@
 //! A slewing ring as scenes describe it and books tell it.
 
+use crate::component::aside::Aside;
 use crate::component::description::{Described, Description, Vocabulary};
 use crate::component::draw::{Draw, along, polar};
 use crate::component::mechanism::Entry;
 use crate::component::outline::{Limit, Outline};
+use crate::component::places::stand;
 use crate::component::sheet::{Check, Curve, Drawing, Sheet};
 use crate::component::stages::Stages;
 use crate::component::standing::Standing;
@@ -14,6 +16,7 @@ use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Kind, Values};
 use crate::kernel::symbol::Symbol;
 use crate::luffing::kinds::CARRIED;
+use crate::luffing::luffed::Luffer;
 use crate::parts::load_curve::{LoadCurve, corner};
 use crate::parts::motion::Motion;
 use crate::parts::plane::Point;
@@ -251,6 +254,10 @@ impl Described for RingScene {
         vec!["static"]
     }
 
+    fn aside(this: &Description<RingScene>) -> Option<Aside> {
+        this.given.luffer.as_ref().map(Luffer::aside)
+    }
+
     fn identities(this: &Description<RingScene>, model: &mut Standing) -> Vec<Check> {
         let mut checks = agreements(model, &this.given.rolling, this.given.raceway.d);
         let bolts = this.given.bolts.as_ref();
@@ -300,9 +307,10 @@ impl Described for RingScene {
             .curves
             .extend(governing.and_then(|at| over_reach(&this.given, at)));
         let most = sheet.governing.iter().find(|found| found.symbol == &s::U_ST_MAX);
-        let Some((_, at)) = most.and_then(|found| found.at) else {
+        let Some(((_, at), aside)) = most.and_then(|found| Some((found.at?, found.aside))) else {
             return;
         };
+        stand(model, aside);
         let [forces, moments] = [&s::F_REF, &s::M_REF].map(|symbol| numbered(model, symbol, at));
         let mut points = this.given.curve.0.clone();
         if let Some(&[force, moment]) = points.last()

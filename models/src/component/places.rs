@@ -1,0 +1,96 @@
+//! Places at which a book works its formulas out.
+
+use crate::component::outline::{Greatest, Outline};
+use crate::component::running::Running;
+use crate::component::sheet::Summary;
+use crate::component::standing::Standing;
+use crate::component::telling::{indices, numbered};
+use crate::kernel::symbol::Symbol;
+use crate::parts::motion::{Motion, Place};
+
+/// Of which of several bodies, numbered from 1, the formulas speak: of the one that governs at the worst position, else
+/// of the first. `None` where there are not several.
+pub(super) fn body(model: &mut Standing, outline: &'static Outline, governing: &[Summary]) -> Option<usize> {
+    let (_, symbol) = outline.worst[0];
+    let of = outline.extremes.iter().find(|extreme| extreme.symbol == symbol)?.of;
+    model
+        .variables()
+        .iter()
+        .find(|variable| variable.symbol == of)?
+        .number?;
+    let found = governing
+        .iter()
+        .find(|found| found.symbol == symbol)
+        .and_then(|found| found.at);
+    let own = outline.extremes.iter().find(|extreme| extreme.symbol == symbol);
+    let several = |extreme: &&Greatest| indices(model, extreme.of).len() > 1;
+    let extreme = own.filter(several).or(outline.extremes.iter().find(several)).or(own);
+    let Some((extreme, (_, at))) = extreme.zip(found) else {
+        return Some(1);
+    };
+    let all = numbered(model, extreme.of, at);
+    let most = |best: usize, i: usize| {
+        if extreme.most.is_before(all[best], all[i]) {
+            i
+        } else {
+            best
+        }
+    };
+    Some(1 + (0..all.len()).fold(0, most))
+}
+
+/// Where the formulas are worked out: the name of the position, the coordinate, and the second one where that matters.
+#[derive(Clone, Copy)]
+pub(super) struct Position {
+    pub id: &'static str,
+    pub at: f64,
+    pub aside: Option<(&'static Symbol, f64)>,
+}
+
+impl Position {
+    fn of(id: &'static str, found: &Summary) -> Option<Position> {
+        let aside = found.aside;
+        found.at.map(|(_, at)| Position { id, at, aside })
+    }
+}
+
+/// Puts the second coordinate to a value that the model allows.
+///
+/// # Panics
+/// Where it is beyond its range.
+pub fn stand(model: &mut Standing, aside: Option<(&'static Symbol, f64)>) {
+    let Some((symbol, at)) = aside else { return };
+    let index = model.variables().iter().position(|variable| variable.symbol == symbol);
+    model.set(index.expect("it is an input"), at).expect("within its range");
+}
+
+/// The worst position, where the scene asks for none; the middle where nothing is worst.
+pub(super) fn worst(outline: &Outline, motion: &Motion, governing: &[Summary]) -> Position {
+    let known = |symbol: &Symbol| governing.iter().find(|g| g.symbol == symbol && g.value != 0.0);
+    let mut worst = (outline.worst.iter()).filter_map(|(name, symbol)| Position::of(name, known(symbol)?));
+    worst.next().unwrap_or(Position {
+        id: "middle",
+        at: f64::midpoint(motion.from, motion.to),
+        aside: None,
+    })
+}
+
+/// Positions at which the formulas are worked out: what the scene asks for, otherwise the worst.
+pub(super) fn positions(outline: &Outline, motion: &Motion, asked: &[Place], governing: &[Summary]) -> Vec<Position> {
+    let worst = worst(outline, motion, governing);
+    let at = |id, at| Position { id, at, ..worst };
+    let middle = at("middle", f64::midpoint(motion.from, motion.to));
+    let greatest = |id: &'static str| Position::of(id, governing.iter().find(|g| g.symbol.id == id)?);
+    let position = |place: &Place| match *place {
+        Place::At(chosen) => at("chosen", chosen),
+        Place::Named("governing") => worst,
+        Place::Named("middle") => middle,
+        Place::Named("from") => at("from", motion.from),
+        Place::Named("to") => at("to", motion.to),
+        Place::Named(id) => greatest(id).unwrap_or(middle),
+    };
+    match asked {
+        [] => vec![worst],
+        places => places.iter().map(position).collect(),
+    }
+}
