@@ -2,7 +2,7 @@
 
 use num_dual::Dual64;
 
-use crate::component::extreme::{Extreme, GRID, Looked, peak, turn};
+use crate::component::extreme::{Extreme, GRID, Looked, golden, peak, turn};
 use crate::component::stages::{Slot, Source};
 use crate::component::standing::Standing;
 use crate::kernel::symbol::Symbol;
@@ -29,6 +29,9 @@ pub(super) struct Beside {
     ends: [f64; 2],
 }
 
+/// What a value changes by in one step at least where it has a corner, over the value.
+const RIDGE: f64 = 1e-6;
+
 /// Parts of the range of the second coordinate between two places.
 const PARTS: u32 = 24;
 
@@ -50,7 +53,8 @@ impl Beside {
     }
 
     /// The greatest value of `f` over the coordinate's range and this one's, from the best of the places looked at: along one
-    /// of the two after the other, each step to where the exact derivative changes its sign, until nothing is gained. A result
+    /// of the two after the other, each step to where the exact derivative changes its sign, until nothing is gained, and along a
+    /// ridge to its top. A result
     /// that is the same all over the range is that of the first place.
     pub fn greatest(&self, motion: &Motion, looked: &[Looked], f: &mut Over<'_>) -> Option<Peak> {
         let best = |looked: &Looked| looked.iter().fold(f64::NEG_INFINITY, |most, value| most.max(value.re));
@@ -81,6 +85,25 @@ impl Beside {
                 break;
             }
         }
+        // A ridge, of which slopes along either coordinate alone say nothing: to its top.
+        let inside = own > motion.from && own < motion.to && value.is_finite();
+        let steep = f(Dual64::new(own, 1.0), Dual64::from_re(aside))?.eps.abs();
+        if inside && steep * step[0] > RIDGE * value.abs() {
+            let sides = [(aside - step[1]).max(self.ends[0]), (aside + step[1]).min(self.ends[1])];
+            let start = own;
+            let mut over = |at: f64| {
+                settled(start, [motion.from, motion.to], step[0], &mut |own| {
+                    f(own, Dual64::from_re(at))
+                })
+            };
+            let top = golden(sides, &mut |at| over(at).map(|(_, value)| value))?;
+            for at in [top, sides[0], sides[1]] {
+                let (place, found) = over(at)?;
+                if above(found, value) {
+                    (own, aside, value) = (place, at, found);
+                }
+            }
+        }
         Some(Peak {
             extreme: Extreme { value, at: own },
             aside: Some(aside),
@@ -94,6 +117,17 @@ pub(super) type Over<'a> = dyn FnMut(Dual64, Dual64) -> Option<Dual64> + 'a;
 /// Whether a value is more than another by what rounding does not make of one.
 fn above(value: f64, other: f64) -> bool {
     value > other && (!other.is_finite() || value - other > 8.0 * f64::EPSILON * other.abs())
+}
+
+/// From a place upward, step by step, until nothing is gained: where that is, and the value there.
+fn settled(from: f64, ends: [f64; 2], step: f64, f: &mut dyn FnMut(Dual64) -> Option<Dual64>) -> Option<(f64, f64)> {
+    let (mut at, mut value) = (from, f(Dual64::from_re(from))?.re);
+    while let Some((place, found)) = climbed(at, ends, step, f)
+        && above(found, value)
+    {
+        (at, value) = (place, found);
+    }
+    Some((at, value))
 }
 
 /// Where `f` rises no more within a step to both sides of a place, and its value there.

@@ -1,7 +1,48 @@
-//! A check with its limit.
+//! A result of the whole range, and a check with its limit.
 
-use crate::component::sheet::Summary;
+use crate::component::extreme::Extreme;
 use crate::kernel::symbol::Symbol;
+
+/// A result of the whole range, with the coordinate where it occurs if it has one.
+#[derive(Clone, Copy)]
+pub struct Summary {
+    pub symbol: &'static Symbol,
+    pub value: f64,
+    pub at: Option<(&'static Symbol, f64)>,
+    /// The second coordinate there, where it matters.
+    pub aside: Option<(&'static Symbol, f64)>,
+    /// The result whose extreme it is.
+    pub of: Option<&'static Symbol>,
+}
+
+impl Summary {
+    #[must_use]
+    pub const fn new(symbol: &'static Symbol, value: f64) -> Summary {
+        Summary {
+            symbol,
+            value,
+            at: None,
+            aside: None,
+            of: None,
+        }
+    }
+
+    /// An extreme over the coordinate.
+    #[must_use]
+    pub fn at(symbol: &'static Symbol, extreme: Extreme, coordinate: &'static Symbol) -> Summary {
+        Summary {
+            at: Some((coordinate, extreme.at)),
+            ..Summary::new(symbol, extreme.value)
+        }
+    }
+
+    /// Of the result whose extreme it is.
+    #[must_use]
+    pub const fn of(mut self, result: &'static Symbol) -> Summary {
+        self.of = Some(result);
+        self
+    }
+}
 
 /// A check with its limit.
 pub struct Check {

@@ -1,12 +1,53 @@
-//! Places at which a book works its formulas out.
+//! Places at which a book works its formulas out, and results there.
 
 use crate::component::outline::{Greatest, Outline};
 use crate::component::running::Running;
 use crate::component::sheet::Summary;
 use crate::component::standing::Standing;
-use crate::component::telling::{indices, numbered};
 use crate::kernel::symbol::Symbol;
 use crate::parts::motion::{Motion, Place};
+
+/// Where the variables of a symbol stand: one, or as many as it is numbered to.
+pub(super) fn indices(model: &Standing, symbol: &'static Symbol) -> Vec<usize> {
+    let variables = model.variables();
+    (0..variables.len())
+        .filter(|&index| variables[index].symbol == symbol)
+        .collect()
+}
+
+/// Variables at values of the coordinate; of a numbered one the first.
+///
+/// # Panics
+/// For variables that the scene does not have, and outside the checked range.
+pub fn sample(model: &mut Standing, symbols: &[&'static Symbol], places: impl Iterator<Item = f64>) -> Vec<Vec<f64>> {
+    let first = |symbol: &&'static Symbol| *indices(model, symbol).first().expect("a variable of this scene");
+    let indices: Vec<usize> = symbols.iter().map(first).collect();
+    values(model, &indices, places)
+}
+
+/// All variables of a symbol at a value of the coordinate.
+///
+/// # Panics
+/// As [`sample`].
+pub fn numbered(model: &mut Standing, symbol: &'static Symbol, at: f64) -> Vec<f64> {
+    let indices = indices(model, symbol);
+    values(model, &indices, std::iter::once(at)).remove(0)
+}
+
+/// Variables at values of the coordinate, by their places.
+///
+/// # Panics
+/// As [`sample`].
+pub fn values(model: &mut Standing, indices: &[usize], places: impl Iterator<Item = f64>) -> Vec<Vec<f64>> {
+    let row = |at: f64| {
+        model.set(0, at).expect("a place is finite");
+        indices
+            .iter()
+            .map(|&index| model.get(index).expect("the range was checked"))
+            .collect()
+    };
+    places.map(row).collect()
+}
 
 /// Of which of several bodies, numbered from 1, the formulas speak: of the one that governs at the worst position, else
 /// of the first. `None` where there are not several.

@@ -3,10 +3,9 @@
 //! of print and layout are added later, elsewhere.
 
 pub use crate::component::account::{Energy, Integral, Power};
-pub use crate::component::checked::Check;
+pub use crate::component::checked::{Check, Summary};
 pub use crate::component::diagram::{Chart, Curve, Table};
 pub use crate::component::drawing::{Drawing, Gauge, Shape};
-use crate::component::extreme::Extreme;
 pub use crate::component::over_time::{Cycle, CycleFigure, CycleRow, Seen, Stand};
 
 use crate::kernel::origin::Origin;
@@ -342,47 +341,6 @@ pub struct Worked {
     /// Which of several bodies the formulas speak of, numbered from 1.
     pub of: Option<usize>,
     pub sections: Vec<Section>,
-}
-
-/// A result of the whole range, with the coordinate where it occurs if it has one.
-#[derive(Clone, Copy)]
-pub struct Summary {
-    pub symbol: &'static Symbol,
-    pub value: f64,
-    pub at: Option<(&'static Symbol, f64)>,
-    /// The second coordinate there, where it matters.
-    pub aside: Option<(&'static Symbol, f64)>,
-    /// The result whose extreme it is.
-    pub of: Option<&'static Symbol>,
-}
-
-impl Summary {
-    #[must_use]
-    pub const fn new(symbol: &'static Symbol, value: f64) -> Summary {
-        Summary {
-            symbol,
-            value,
-            at: None,
-            aside: None,
-            of: None,
-        }
-    }
-
-    /// An extreme over the coordinate.
-    #[must_use]
-    pub fn at(symbol: &'static Symbol, extreme: Extreme, coordinate: &'static Symbol) -> Summary {
-        Summary {
-            at: Some((coordinate, extreme.at)),
-            ..Summary::new(symbol, extreme.value)
-        }
-    }
-
-    /// Of the result whose extreme it is.
-    #[must_use]
-    pub const fn of(mut self, result: &'static Symbol) -> Summary {
-        self.of = Some(result);
-        self
-    }
 }
 
 /// How results change with the given quantities; empty where they do not do so smoothly.

@@ -2,13 +2,32 @@
 //!
 //! What the case asks for is that of the place where the start begins, as with a mean torque.
 
+use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::luffing::resistances::given::{Case, CaseMotor};
 use crate::luffing::resistances::motor::Motored;
 use crate::luffing::resistances::sums::Sums;
 use crate::parts::starts::inverter::Ramped;
 use crate::parts::starts::slip::Slipped;
-use crate::parts::starts::{InverterStart, RatedPoint, SlipStart, Starting};
+use crate::parts::starts::{self as s, InverterStart, RatedPoint, SlipStart, Starting};
+
+// Of slewing motors too, which stand above.
+results! { each Slipped as m => {
+    S_K: m.at;
+    T_BD: m.breakdown;
+    S_F: m.slip;
+    T_LEAST: m.least;
+    I_S: m.spared;
+    T_SLIP: m.time;
+    A_SLIP: m.quickens;
+} }
+
+results! { each Ramped as m => {
+    T_U: m.limit;
+    T_RAMP: m.asked;
+    T_INV: m.time;
+    A_INV: m.quickens;
+} }
 
 impl<C: Calc> CaseMotor<C> {
     fn point(&self) -> RatedPoint<C> {

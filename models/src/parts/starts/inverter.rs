@@ -2,7 +2,6 @@
 
 use std::f64::consts::TAU;
 
-use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::parts::starts::{self as s, InverterStart, RatedPoint, Starting};
 
@@ -16,17 +15,11 @@ impl<C: Calc> InverterStart<C> {
 /// A start on an inverter.
 #[derive(Clone, Copy, Debug)]
 pub struct Ramped<C> {
-    limit: C,
-    asked: C,
-    time: C,
-    quickens: C,
+    pub limit: C,
+    pub asked: C,
+    pub time: C,
+    pub quickens: C,
 }
-results! { each Ramped as m => {
-    T_U: m.limit;
-    T_RAMP: m.asked;
-    T_INV: m.time;
-    A_INV: m.quickens;
-} }
 
 impl<C: Calc> Ramped<C> {
     /// T = T_0 + J ω / t_r as far as the limit of the inverter allows it; where that is less, t = J ω / (T − T_0) with it.

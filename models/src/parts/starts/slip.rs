@@ -10,7 +10,6 @@
 
 use std::f64::consts::TAU;
 
-use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::parts::starts::{self as s, RatedPoint, SlipStart, Starting};
 
@@ -92,23 +91,14 @@ fn spared<C: Calc>(from: C, at: C, w: C) -> C {
 /// A start along the slip curve.
 #[derive(Clone, Copy, Debug)]
 pub struct Slipped<C> {
-    at: C,
-    breakdown: C,
-    slip: C,
-    least: C,
-    spared: C,
-    time: C,
-    quickens: C,
+    pub at: C,
+    pub breakdown: C,
+    pub slip: C,
+    pub least: C,
+    pub spared: C,
+    pub time: C,
+    pub quickens: C,
 }
-results! { each Slipped as m => {
-    S_K: m.at;
-    T_BD: m.breakdown;
-    S_F: m.slip;
-    T_LEAST: m.least;
-    I_S: m.spared;
-    T_SLIP: m.time;
-    A_SLIP: m.quickens;
-} }
 
 impl<C: Calc> Slipped<C> {
     /// t = J ω_0 / T_b · I. [Ports001, 5.6; by integration]
