@@ -222,6 +222,8 @@ def test_what_is_greatest_within_both_ranges(tmp_path, fmus):
         # A scan never finds more than there is; on a ridge it finds a little less, and the place less sharply.
         value = sign * found[name]["value"]
         assert wanted - 1e-11 * abs(wanted) <= value <= wanted + 1e-6 * abs(wanted), name
-        assert at["theta_1"] == pytest.approx(theta, abs=2e-3) and at["psi"] == pytest.approx(psi, abs=2e-3), (name, at, theta, psi)
+        assert at["theta_1"] == pytest.approx(theta, abs=2e-3), (name, at, theta)
+        # Slope and wind leave no moment at two angles across from each other, where a start is as hard.
+        assert math.remainder(at["psi"] - psi, math.pi) == pytest.approx(0.0, abs=2e-3), (name, at, psi)
         inside += both[0][0] < at["theta_1"] < both[0][1]
     assert inside >= 2
