@@ -97,3 +97,86 @@ def test_a_curve_is_broken_where_a_brake_never_stops(tmp_path):
     lemnis("book", tmp_path / "crane.toml", "--format", "typ", "--output", tmp_path)
     source = typst(next(tmp_path.glob("*.typ")))
     assert words("en")["curve"]["turning_stop"] in source
+
+
+RATED = 22e3 / (960 / 60 * 2 * np.pi)
+
+
+def started(tmp_path, kind, *replaced, **keys):
+    """Results of the scene over its range, with a start of a kind."""
+    lines = "".join(f'{key} = "{value}"\n' for key, value in keys.items())
+    text = SCENE.read_text(encoding="utf-8").replace(
+        "[supports.slewing_drive.brake]", f'[supports.slewing_drive.start]\nkind = "{kind}"\n{lines}[supports.slewing_drive.brake]', 1)
+    for old, new in replaced:
+        assert old in text
+        text = text.replace(old, new, 1)
+    (tmp_path / f"{kind}.toml").write_text(text, encoding="utf-8")
+    return tmp_path / f"{kind}.toml"
+
+
+def outputs(path, folder, names):
+    """Once round, in the FMU."""
+    lemnis("fmu", path, "--output", folder)
+    times = np.linspace(0.0, 60.0, 25)
+    inputs = np.array([(t, math.radians(6.0) * t) for t in times], dtype=[("time", float), ("psi", float)])
+    return simulate_fmu(str(folder / "SlewingPortal.fmu"), stop_time=60.0, output_interval=2.5, input=inputs, output=["psi", *names])
+
+
+def hardest(found, case, torque):
+    """Greatest torque of the coupling and force of a pinion, the motor giving this torque at most."""
+    at = lambda name: found[f"{name}[{case}]"]
+    rate = (torque - at("T_0")) / at("J_start")
+    stop = 250.0 - SHAFT * at("alpha_w")
+    return np.maximum(torque - SHAFT * rate, stop), (at("M_st") + at("J_c") * rate / RATIO) / (2.2 * DRIVES)
+
+
+NAMES = [f"{name}[{case}]" for case in (1, 2) for name in
+         ("T_0", "J_start", "J_c", "M_st", "alpha_w", "T_p", "T_c", "F_t", "Omega_c", "R_o")]
+
+
+def test_a_start_along_the_slip_curve_is_that_of_an_integration_in_time(tmp_path):
+    from scipy.integrate import solve_ivp
+
+    # A gentle wind, in which the motor keeps the speed of the case.
+    scene = started(tmp_path, "slip", ('p_w   = "250 Pa"', 'p_w = "60 Pa"'), ('P_N      = "22 kW"', 'P_N = "30 kW"'), lambda_bd="2.6", n_0="1000 1/min")
+    rated, full = RATED * 30 / 22, 2 * np.pi * 1000 / 60
+    s_k = 0.04 * (2.6 + math.sqrt(2.6**2 - 1))
+    gives = lambda w: 2 * 2.6 * rated / ((1 - w / full) / s_k + s_k / (1 - w / full))
+    found = outputs(scene, tmp_path, [*NAMES, *(f"{name}[{case}]" for case in (1, 2) for name in ("t_slip", "a_slip"))])
+    for case, speed in ((1, 1.5), (2, 0.5)):
+        goal = RATIO * speed / 60 * 2 * np.pi
+        for i in range(len(found["psi"])):
+            against, inertia = found[f"T_0[{case}]"][i], found[f"J_start[{case}]"][i]
+            reached = lambda t, y: y[0] - goal
+            reached.terminal = True
+            run = solve_ivp(lambda t, y: [(gives(y[0]) - against) / inertia], [0, 300], [0.0], events=reached, rtol=1e-11, atol=1e-11)
+            time = run.t_events[0][0]
+            assert found[f"t_slip[{case}]"][i] == pytest.approx(time, rel=1e-8), (case, i)
+            head = found[f"R_o[{case}]"][i] * found[f"Omega_c[{case}]"][i]
+            assert found[f"a_slip[{case}]"][i] == pytest.approx(head / time, rel=1e-8)
+        # It passes its breakdown torque on the way, but where the case is so slow that it does not.
+        most = max(gives(w) for w in np.linspace(0.0, goal, 200001))
+        assert found[f"T_p[{case}]"] == pytest.approx(most, rel=1e-9)
+        for name, wanted in zip(("T_c", "F_t"), hardest(found, case, most)):
+            assert found[f"{name}[{case}]"] == pytest.approx(wanted, rel=1e-9), name
+
+
+@pytest.mark.parametrize("ramp, limit", [(2.0, 1.5), (30.0, 1.5)])
+def test_an_inverter_keeps_its_ramp_as_far_as_its_torque_allows(tmp_path, ramp, limit):
+    scene = started(tmp_path, "inverter", t_r=f"{ramp} s", lambda_inv=str(limit))
+    found = outputs(scene, tmp_path, [*NAMES, *(f"{name}[{case}]" for case in (1, 2) for name in ("t_inv", "T_ramp"))])
+    for case, speed in ((1, 1.5), (2, 0.5)):
+        momentum, against = found[f"J_start[{case}]"] * RATIO * speed / 60 * 2 * np.pi, found[f"T_0[{case}]"]
+        time = np.maximum(ramp, momentum / (limit * RATED - against))
+        assert found[f"t_inv[{case}]"] == pytest.approx(time, rel=1e-12)
+        assert found[f"T_ramp[{case}]"] == pytest.approx(against + momentum / ramp, rel=1e-12)
+        torque = against + momentum / time
+        assert found[f"T_p[{case}]"] == pytest.approx(torque, rel=1e-12)
+        for name, wanted in zip(("T_c", "F_t"), hardest(found, case, torque)):
+            assert found[f"{name}[{case}]"] == pytest.approx(wanted, rel=1e-10), name
+
+
+def test_a_motor_that_is_too_slow_for_a_case_is_refused(tmp_path):
+    scene = started(tmp_path, "slip", ('n_s   = "0.5 1/min"', 'n_s = "1.6 1/min"'), lambda_bd="2.6", n_0="1000 1/min")
+    told = lemnis("check", scene, expect=1)
+    assert "in load case 2 a motor would have to turn at 1024 1/min, which is not below n_0 = 1000 1/min" in told

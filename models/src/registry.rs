@@ -183,8 +183,9 @@ const fn teller<T: Described>() -> Teller {
         vocabulary: T::VOCABULARY,
         sheet: |mechanism, origins, asked, runs| Some(telling::sheet::<T>(mechanism.of()?, origins, asked, runs)),
         judged: |mechanism, model, wanted| {
-            let mut peaks = Peaks::new(model);
-            Some(found::<T>(mechanism.of()?, model, &mut peaks, wanted))
+            let told = mechanism.of()?;
+            let mut peaks = Peaks::over(model, T::aside(told));
+            Some(found::<T>(told, model, &mut peaks, wanted))
         },
         assumptions: |mechanism| Some(T::assumptions(mechanism.of()?)),
         drawing: |mechanism, at| Some(T::drawing(mechanism.of()?, at)),

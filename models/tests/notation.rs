@@ -12,7 +12,9 @@ use lemnis_models::kernel::gravity;
 use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::luffing;
 use lemnis_models::luffing::double_link;
-use lemnis_models::parts::{air, ground, hanging, hydraulics, motor, shaping, teeth, turntable, turntable_control};
+use lemnis_models::parts::{
+    air, ground, hanging, hydraulics, motor, shaping, starts, teeth, turntable, turntable_control,
+};
 use lemnis_models::registry;
 use lemnis_models::slewing;
 use lemnis_models::steering;
@@ -21,7 +23,7 @@ use lemnis_models::sway::pendulum;
 use lemnis_models::unloader;
 
 /// Every mechanism with its table.
-const TABLES: [(&str, &[&Symbol]); 37] = [
+const TABLES: [(&str, &[&Symbol]); 38] = [
     ("The double-link luffing mechanism", double_link::symbols::ALL),
     (
         "The double-link luffing mechanism in motion",
@@ -30,6 +32,7 @@ const TABLES: [(&str, &[&Symbol]); 37] = [
     ("Any luffing mechanism in motion", luffing::moving::symbols::ALL),
     ("What a luffing drive must overcome", luffing::resistances::symbols::ALL),
     ("A motor with its brake, in cases", motor::ALL),
+    ("Starts of a motor", starts::ALL),
     ("Teeth", teeth::ALL),
     ("Strength of a luffing drive", luffing::strength::symbols::ALL),
     ("The boom on a luffing rope", luffing::rope::symbols::ALL),

@@ -108,9 +108,10 @@ impl Results {
         let mut rows: Vec<[String; 3]> = Vec::new();
         for result in self.sheet.results() {
             let symbol = result.symbol;
-            let at = result.at.map_or_else(String::new, |(coordinate, at)| {
-                format!(" at {} = {}", coordinate.id, coordinate.written(at))
-            });
+            let both = result.at.into_iter().chain(result.aside);
+            let told = both.map(|(coordinate, at)| format!("{} = {}", coordinate.id, coordinate.written(at)));
+            let at = told.reduce(|one, other| format!("{one}, {other}"));
+            let at = at.map_or_else(String::new, |at| format!(" at {at}"));
             let value = symbol.written(result.value) + &at;
             rows.push([symbol.id.to_owned(), value, symbol.text.to_owned()]);
         }

@@ -119,9 +119,11 @@ fn sizes(c: &mut Node, parts: &CaseParts, drive: Option<&(String, bool, f64, f64
     }
 }
 
-/// A start of one kind, with what belongs to it: of a motor that is faster than any case.
-fn start(c: &mut Node) {
-    let Some(mut start) = c.child("start") else { return };
+/// A start of one kind, with what belongs to it, of a motor that is faster than any case; whether it is along the slip curve.
+pub fn start(c: &mut Node) -> bool {
+    let Some(mut start) = c.child("start") else {
+        return false;
+    };
     let slips = start.draw.coin(0.5);
     start.put("kind", if slips { "slip" } else { "inverter" });
     for (name, of_slip, least, most) in [
@@ -136,6 +138,12 @@ fn start(c: &mut Node) {
             start.set(name, value);
         }
     }
+    slips
+}
+
+/// The same of a luffing drive.
+fn luffing_start(c: &mut Node) {
+    let slips = start(c);
     if let Some(mut motor) = c.child("motor").filter(|_| slips) {
         for (name, least, most) in [("l_M", 6e-3, 9e-3), ("P_N", 8e14, 9e14), ("n_N", 5.0, 10.0)] {
             let value = motor.draw.between(least, most);
@@ -201,7 +209,7 @@ fn all(n: &mut Node, parts: &CaseParts) -> Option<f64> {
         let travel = motor.draw.between(1e-4, 1e-3);
         motor.set("l_M", travel);
     }
-    start(&mut c);
+    luffing_start(&mut c);
     let first = c.child("brake").map(|mut brake| {
         brake.set("T_b", 9e17);
         brake.get("tau_b")

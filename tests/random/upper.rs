@@ -4,6 +4,7 @@ use lemnis_models::supports::drive::symbols as d;
 use lemnis_models::supports::upper::symbols as s;
 
 use crate::bodies::{list, row};
+use crate::cases::start;
 use crate::luffing::{LEAST_LENGTH, load};
 use crate::scene::Node;
 
@@ -76,6 +77,7 @@ fn turning(n: &mut Node, [size, weight]: [f64; 2]) -> [bool; 2] {
     drive.put("heating", 1);
     let shaft = power * time * time * time / (ratio * ratio) * drive.draw.between(0.01, 1.0);
     drive.set("J_M", shaft.max(1e-8));
+    start(&mut drive);
     let torque = power / turns;
     let braked = drive.child("brake").map(|mut brake| {
         let own = torque * brake.draw.between(0.1, 2.0);

@@ -3,6 +3,7 @@
 use std::fmt;
 use std::ops::{Deref, DerefMut};
 
+use crate::component::aside::Aside;
 use crate::component::extreme::fine;
 use crate::component::governing::extremes;
 use crate::component::mechanism::{Entry, Mechanism, Solver};
@@ -99,6 +100,11 @@ pub trait Described: Clone + fmt::Debug + Send + Sync + Sized + 'static {
     /// Results of the range that searches of its own have found, with their places.
     fn searched(_this: &Description<Self>, _model: &Standing) -> Vec<Summary> {
         Vec::new()
+    }
+
+    /// A second coordinate, an input over whose range results are judged too.
+    fn aside(_this: &Description<Self>) -> Option<Aside> {
+        None
     }
 
     /// Independent ways to one result, that must agree.

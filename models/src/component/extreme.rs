@@ -40,7 +40,7 @@ pub fn between(from: f64, to: f64) -> impl Iterator<Item = f64> {
 }
 
 /// Points at which a quantity is looked at before its extremes are refined.
-const GRID: usize = 96;
+pub(super) const GRID: usize = 96;
 
 /// A quantity with its derivative at these points.
 pub type Looked = [Dual64; GRID + 1];
@@ -113,7 +113,7 @@ pub fn peak(motion: &Motion, looked: &Looked, f: &mut dyn FnMut(Dual64) -> Optio
 /// Two neighbouring numbers between which `f` rises no more, from two places with their slopes: by the method of Oliveira
 /// and Takahashi (ITP, 2020), a secant's step kept so near to the middle that it never takes more than one step beyond
 /// bisection; by bisection where slopes are not known.
-fn turn(
+pub(super) fn turn(
     [mut low, mut high]: [f64; 2],
     [mut rising, mut falling]: [f64; 2],
     nothing: impl Fn(f64) -> bool,
@@ -160,13 +160,9 @@ pub fn greatest_amount(motion: &Motion, f: &mut dyn FnMut(Dual64) -> Option<Dual
     })
 }
 
-/// As [`greatest`] of what has no derivative: on the places of a curve, then by golden section beside the best of them.
-pub fn greatest_value(motion: &Motion, f: &mut dyn FnMut(f64) -> Option<f64>) -> Option<Extreme> {
+/// Where a value is greatest between two places, by golden section.
+pub(super) fn golden([mut low, mut high]: [f64; 2], f: &mut dyn FnMut(f64) -> Option<f64>) -> Option<f64> {
     const STEPS: u32 = 60;
-    let places: Vec<f64> = fine(motion).collect();
-    let values: Vec<f64> = places.iter().map(|&place| f(place)).collect::<Option<_>>()?;
-    let best = (0..places.len()).max_by(|&a, &b| values[a].total_cmp(&values[b]))?;
-    let (mut low, mut high) = (places[best.saturating_sub(1)], places[(best + 1).min(places.len() - 1)]);
     let golden = (5.0_f64.sqrt() - 1.0) / 2.0;
     for _ in 0..STEPS {
         let (a, b) = (high - golden * (high - low), low + golden * (high - low));
@@ -176,9 +172,19 @@ pub fn greatest_value(motion: &Motion, f: &mut dyn FnMut(f64) -> Option<f64>) ->
             low = a;
         }
     }
+    Some(f64::midpoint(low, high))
+}
+
+/// As [`greatest`] of what has no derivative: on the places of a curve, then by golden section beside the best of them.
+pub fn greatest_value(motion: &Motion, f: &mut dyn FnMut(f64) -> Option<f64>) -> Option<Extreme> {
+    let places: Vec<f64> = fine(motion).collect();
+    let values: Vec<f64> = places.iter().map(|&place| f(place)).collect::<Option<_>>()?;
+    let best = (0..places.len()).max_by(|&a, &b| values[a].total_cmp(&values[b]))?;
+    let ends = [places[best.saturating_sub(1)], places[(best + 1).min(places.len() - 1)]];
+    let found = golden(ends, f)?;
     // At a corner straight ahead the search stops one rounding beside it, and so may a place of the grid.
     let straight = |at: f64| if at.abs() < 1e-9 { 0.0 } else { at };
-    let at = straight(f64::midpoint(low, high));
+    let at = straight(found);
     let value = f(at)?;
     let on_grid = Extreme {
         value: values[best],

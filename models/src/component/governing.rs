@@ -33,5 +33,5 @@ pub fn governing(
 pub fn most(model: &Standing, extreme: &Greatest) -> Option<Extreme> {
     let mut peaks = Peaks::new(model);
     peaks.look(model, [extreme.of].into_iter());
-    peaks.most(model, extreme)
+    peaks.most(model, extreme).map(|found| found.extreme)
 }

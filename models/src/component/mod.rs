@@ -2,6 +2,8 @@
 //! made here once.
 
 pub mod account;
+pub mod aside;
+pub mod checked;
 mod cycle;
 pub mod dependencies;
 pub mod description;
@@ -22,6 +24,7 @@ pub mod outline;
 pub mod over_time;
 pub mod part;
 pub mod peaks;
+pub mod places;
 pub mod probe;
 pub mod ride;
 pub mod running;

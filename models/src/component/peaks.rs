@@ -2,6 +2,7 @@
 
 use num_dual::Dual64;
 
+use crate::component::aside::{Aside, Beside, Peak};
 use crate::component::extreme::{Extreme, Looked, fine, greatest_value, grid, peak};
 use crate::component::outline::{Greatest, Most, Outline};
 use crate::component::probe::{Probe, slot, slots};
@@ -16,8 +17,10 @@ use crate::parts::motion::Motion;
 /// Peaks of several results of a model over the working range, each found once.
 pub struct Peaks {
     probe: Probe,
-    looked: Vec<(Slot, Option<Box<Looked>>)>,
-    found: Vec<(Slot, Most, Option<Extreme>)>,
+    /// Of each place of the second coordinate, or once.
+    looked: Vec<(Slot, Option<Vec<Looked>>)>,
+    found: Vec<(Slot, Most, Option<Peak>)>,
+    aside: Option<(&'static Symbol, Beside)>,
 }
 
 impl Peaks {
@@ -27,6 +30,17 @@ impl Peaks {
             probe: Probe::new(model, &mut |_, _| 0.0),
             looked: Vec::new(),
             found: Vec::new(),
+            aside: None,
+        }
+    }
+
+    /// Over the range of a second coordinate too, if there is one.
+    #[must_use]
+    pub fn over(model: &Standing, aside: Option<Aside>) -> Peaks {
+        let beside = aside.and_then(|aside| Some((aside.symbol, Beside::new(model, &aside)?)));
+        Peaks {
+            aside: beside,
+            ..Peaks::new(model)
         }
     }
 
@@ -38,17 +52,50 @@ impl Peaks {
         let known = self.looked.len();
         for slot in smooth {
             if self.looked.iter().all(|(known, _)| *known != slot) {
-                self.looked.push((slot, Some(Box::new([Dual64::from_re(0.0); _]))));
+                let moved = self.aside.iter().filter(|(_, beside)| beside.moves(&slot));
+                let places = moved.map(|(_, beside)| beside.places.len()).next().unwrap_or(1);
+                self.looked.push((slot, Some(vec![[Dual64::from_re(0.0); _]; places])));
             }
         }
-        for (i, at) in grid(model.motion()).into_iter().enumerate() {
-            for (slot, values) in &mut self.looked[known..] {
-                match self.probe.at(slot, Dual64::new(at, 1.0)) {
-                    Some(value) => values.iter_mut().for_each(|values| values[i] = value),
-                    None => *values = None,
+        let places = self
+            .aside
+            .iter()
+            .flat_map(|(_, beside)| beside.places.iter().map(|at| Some((beside.source, *at))));
+        let places: Vec<_> = places.collect();
+        let once = [None];
+        let places = if places.is_empty() { &once[..] } else { &places };
+        for (j, aside) in places.iter().enumerate() {
+            if let Some((source, at)) = *aside {
+                self.probe.stand(source, Dual64::from_re(at));
+            }
+            for (i, at) in grid(model.motion()).into_iter().enumerate() {
+                for (slot, looked) in &mut self.looked[known..] {
+                    let Some(values) = looked.as_mut().and_then(|looked| looked.get_mut(j)) else {
+                        continue;
+                    };
+                    match self.probe.at(slot, Dual64::new(at, 1.0)) {
+                        Some(value) => values[i] = value,
+                        None => *looked = None,
+                    }
                 }
             }
         }
+        self.back();
+    }
+
+    /// Puts the second coordinate where it stood.
+    fn back(&mut self) {
+        if let Some((_, beside)) = &self.aside {
+            self.probe.stand(beside.source, Dual64::from_re(beside.places[0]));
+        }
+    }
+
+    /// A peak as a result of the range, with its place.
+    #[must_use]
+    pub fn summary(&self, model: &Standing, symbol: &'static Symbol, found: Peak) -> Summary {
+        let own = Summary::at(symbol, found.extreme, model.variables()[0].symbol);
+        let aside = self.aside.as_ref().map(|(symbol, _)| *symbol).zip(found.aside);
+        Summary { aside, ..own }
     }
 
     /// As [`governing`](crate::component::governing::governing).
@@ -58,31 +105,32 @@ impl Peaks {
         outline: &'static Outline,
         wanted: &dyn Fn(&'static Symbol) -> bool,
     ) -> Vec<Summary> {
-        let coordinate = model.variables()[0].symbol;
         let extremes = outline.extremes.iter().filter(|extreme| wanted(extreme.symbol));
         self.look(model, extremes.clone().map(|extreme| extreme.of));
         let summary = |extreme: &'static Greatest| {
             let found = self.most(model, extreme)?;
-            Some(Summary::at(extreme.symbol, found, coordinate).of(extreme.of))
+            Some(self.summary(model, extreme.symbol, found).of(extreme.of))
         };
         extremes.filter_map(summary).collect()
     }
 
     /// An extreme, of a numbered result over all of them; `None` where the scene does not have it, and of what has not been
     /// looked at.
-    pub fn most(&mut self, model: &Standing, extreme: &Greatest) -> Option<Extreme> {
+    pub fn most(&mut self, model: &Standing, extreme: &Greatest) -> Option<Peak> {
         let pole = extreme.pole.and_then(|pole| slot(model, pole));
         let each = slots(model, extreme.of).map(|slot| {
             let infinite = pole.and_then(|pole| infinite(&mut self.probe, &pole, &slot, model.motion()));
+            let infinite = infinite.map(|extreme| Peak { extreme, aside: None });
             infinite.or_else(|| self.of(model, &slot, extreme.most))
         });
-        let all: Vec<Extreme> = each.collect::<Option<_>>()?;
-        let more = |a: Extreme, b: Extreme| if extreme.most.is_before(a.value, b.value) { b } else { a };
+        let all: Vec<Peak> = each.collect::<Option<_>>()?;
+        let before = |a: &Peak, b: &Peak| extreme.most.is_before(a.extreme.value, b.extreme.value);
+        let more = |a: Peak, b: Peak| if before(&a, &b) { b } else { a };
         all.into_iter().reduce(more)
     }
 
     /// The extreme of one of the results; `None` where it does not exist all over the range.
-    pub fn of(&mut self, model: &Standing, slot: &Slot, most: Most) -> Option<Extreme> {
+    pub fn of(&mut self, model: &Standing, slot: &Slot, most: Most) -> Option<Peak> {
         let known = self.found.iter().find(|(of, which, _)| of == slot && *which == most);
         if let Some((.., found)) = known {
             return *found;
@@ -92,9 +140,9 @@ impl Peaks {
         found
     }
 
-    fn refined(&mut self, model: &Standing, slot: &Slot, most: Most) -> Option<Extreme> {
+    fn refined(&mut self, model: &Standing, slot: &Slot, most: Most) -> Option<Peak> {
         if model.part().stages()[usize::from(slot.stage)].searched {
-            return searched(model, slot, most);
+            return searched(model, slot, most).map(|extreme| Peak { extreme, aside: None });
         }
         let (_, looked) = self.looked.iter().find(|(known, _)| known == slot)?;
         let turned = |value: Dual64| match most {
@@ -102,17 +150,37 @@ impl Peaks {
             Most::Least => -value,
             Most::Amount => Calc::abs(value),
         };
-        let probe = &mut self.probe;
-        let looked = looked.as_ref()?.map(turned);
-        let found = peak(model.motion(), &looked, &mut |at| probe.at(slot, at).map(turned))?;
-        match most {
-            Most::Greatest => Some(found),
-            Most::Least => Some(found.turned()),
-            Most::Amount => Some(Extreme {
-                value: probe.at(slot, Dual64::from_re(found.at))?.re,
-                ..found
-            }),
-        }
+        let looked: Vec<Looked> = looked.as_ref()?.iter().map(|looked| looked.map(turned)).collect();
+        let (probe, motion) = (&mut self.probe, model.motion());
+        let found = match &self.aside {
+            Some((_, beside)) if looked.len() > 1 => {
+                let mut of = |at, aside| {
+                    probe.stand(beside.source, aside);
+                    probe.at(slot, at).map(turned)
+                };
+                beside.greatest(motion, &looked, &mut of)?
+            }
+            _ => Peak {
+                extreme: peak(motion, &looked[0], &mut |at| probe.at(slot, at).map(turned))?,
+                aside: None,
+            },
+        };
+        let extreme = match most {
+            Most::Greatest => found.extreme,
+            Most::Least => found.extreme.turned(),
+            Most::Amount => {
+                let (source, aside) = (self.aside.as_ref().map(|(_, beside)| beside.source), found.aside);
+                if let Some((source, aside)) = source.zip(aside) {
+                    probe.stand(source, Dual64::from_re(aside));
+                }
+                Extreme {
+                    value: probe.at(slot, Dual64::from_re(found.extreme.at))?.re,
+                    ..found.extreme
+                }
+            }
+        };
+        self.back();
+        Some(Peak { extreme, ..found })
     }
 
     /// Places at which a variable is drawn over the working range: those of a curve, and where it is greatest and least.
@@ -120,8 +188,8 @@ impl Peaks {
         let mut places: Vec<f64> = fine(model.motion()).collect();
         if let VariablePlace::Result(slot) = model.places()[index] {
             let found = [Most::Greatest, Most::Least].map(|most| self.of(model, &slot, most));
-            let finite = found.into_iter().flatten().filter(|found| found.value.is_finite());
-            places.extend(finite.map(|found| found.at));
+            let found = found.into_iter().flatten().map(|found| found.extreme);
+            places.extend(found.filter(|found| found.value.is_finite()).map(|found| found.at));
             places.sort_by(f64::total_cmp);
             places.dedup();
         }

@@ -23,12 +23,24 @@ impl Probe {
         }
     }
 
+    /// Moves another source.
+    pub(super) fn stand(&mut self, source: Source, value: Dual64) {
+        let here = self.face.take(source);
+        if [here.re.to_bits(), here.eps.to_bits()] != [value.re.to_bits(), value.eps.to_bits()] {
+            self.face.put(source, value);
+        }
+    }
+
+    /// Likewise, if there is another one.
+    pub(super) fn stood(&mut self, aside: Option<(Source, Dual64)>) {
+        if let Some((source, value)) = aside {
+            self.stand(source, value);
+        }
+    }
+
     /// Moves it; what is known of the place where it stands stays known.
     fn place(&mut self, place: Dual64) {
-        let here = self.face.take(self.coordinate);
-        if [here.re.to_bits(), here.eps.to_bits()] != [place.re.to_bits(), place.eps.to_bits()] {
-            self.face.put(self.coordinate, place);
-        }
+        self.stand(self.coordinate, place);
     }
 
     pub(super) fn at(&mut self, slot: &Slot, place: Dual64) -> Option<Dual64> {

@@ -19,7 +19,8 @@ use crate::kernel::variable::Quantity;
 
 /// Where a result is held.
 enum Held {
-    At(Slot, Dual64),
+    /// At a place, and at one of the second coordinate.
+    At(Slot, Dual64, Option<(Source, Dual64)>),
     Whole(Spread, Spot),
 }
 
@@ -35,12 +36,22 @@ impl Held {
 /// An extreme with where it was found; of a numbered result it is held at the number that has it there.
 fn held(model: &Standing, here: &mut Probe, of: &'static Symbol, summary: &Summary) -> Option<(f64, Held)> {
     let at = Dual64::from_re(summary.at.map_or(model.motion().from, |(_, at)| at));
+    let aside = summary.aside.and_then(|(symbol, at)| {
+        let source = model
+            .part()
+            .sources()
+            .into_iter()
+            .find(|(_, (known, _))| *known == symbol)?
+            .0;
+        Some((source, Dual64::from_re(at)))
+    });
+    here.stood(aside);
     let apart = slots(model, of).map(|slot| {
         let value = here.at(&slot, at).map_or(f64::NAN, |value| value.re);
         ((value - summary.value).abs(), slot)
     });
     let (_, slot) = apart.min_by(|(one, _), (other, _)| one.total_cmp(other))?;
-    Some((summary.value, Held::At(slot, at)))
+    Some((summary.value, Held::At(slot, at, aside)))
 }
 
 /// How results change with each given quantity that is wanted: derivatives in SI, exact. Those that the scene has of the symbols asked
@@ -72,7 +83,7 @@ pub fn sensitivity(
             // A result of the whole range is the same everywhere.
             (Some((index, VariablePlace::Result(slot))), _) => {
                 let from = Dual64::from_re(model.motion().from);
-                (model.get(index).ok(), Some(Held::At(slot, from)))
+                (model.get(index).ok(), Some(Held::At(slot, from, None)))
             }
             (_, Some((value, of))) => (Some(value), Some(of)),
             _ => continue,
@@ -100,7 +111,10 @@ pub fn sensitivity(
         let integrals = found.iter().filter_map(Held::integral).collect::<Vec<_>>();
         let mut integrals = integrated(&integrals, &mut *probe.face).ok()?.into_iter();
         let mut slope = |of: &Held| match of {
-            Held::At(slot, at) => probe.at(slot, *at),
+            Held::At(slot, at, aside) => {
+                probe.stood(*aside);
+                probe.at(slot, *at)
+            }
             Held::Whole(..) if of.integral().is_some() => integrals.next(),
             Held::Whole(spread, spot) => spread.value(&mut *probe.face, spot).ok(),
         };

@@ -2,6 +2,7 @@
 
 use std::panic::resume_unwind;
 
+use crate::component::aside::Peak;
 use crate::component::cycle::cycle;
 use crate::component::dependencies::recorded;
 use crate::component::description::{Described, Description};
@@ -11,7 +12,8 @@ use crate::component::judged::{Judged, judged};
 use crate::component::outline::{Explained, Greatest, Line, Most, Outline, Published, SectionOutline};
 use crate::component::part::{Face, Part};
 use crate::component::peaks::Peaks;
-use crate::component::probe::slot;
+use crate::component::places::{Position, body, indices, positions, stand, worst};
+pub use crate::component::places::{numbered, sample, values};
 use crate::component::running::Running;
 use crate::component::sensitivity::sensitivity;
 use crate::component::shaped;
@@ -23,54 +25,12 @@ use crate::kernel::origin::Origins;
 use crate::kernel::record::{Rec, only, record, steps};
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::{Fault, Quantity, Role, Type};
-use crate::parts::motion::{Motion, Place};
+use crate::parts::motion::Place;
 
 /// Whether the scene has a variable.
 #[must_use]
 pub fn exists(model: &Standing, symbol: &'static Symbol) -> bool {
     model.variables().iter().any(|variable| variable.symbol == symbol)
-}
-
-/// Where the variables of a symbol stand: one, or as many as it is numbered to.
-fn indices(model: &Standing, symbol: &'static Symbol) -> Vec<usize> {
-    let variables = model.variables();
-    (0..variables.len())
-        .filter(|&index| variables[index].symbol == symbol)
-        .collect()
-}
-
-/// Variables at values of the coordinate; of a numbered one the first.
-///
-/// # Panics
-/// For variables that the scene does not have, and outside the checked range.
-pub fn sample(model: &mut Standing, symbols: &[&'static Symbol], places: impl Iterator<Item = f64>) -> Vec<Vec<f64>> {
-    let first = |symbol: &&'static Symbol| *indices(model, symbol).first().expect("a variable of this scene");
-    let indices: Vec<usize> = symbols.iter().map(first).collect();
-    values(model, &indices, places)
-}
-
-/// All variables of a symbol at a value of the coordinate.
-///
-/// # Panics
-/// As [`sample`].
-pub fn numbered(model: &mut Standing, symbol: &'static Symbol, at: f64) -> Vec<f64> {
-    let indices = indices(model, symbol);
-    values(model, &indices, std::iter::once(at)).remove(0)
-}
-
-/// Variables at values of the coordinate, by their places.
-///
-/// # Panics
-/// As [`sample`].
-pub fn values(model: &mut Standing, indices: &[usize], places: impl Iterator<Item = f64>) -> Vec<Vec<f64>> {
-    let row = |at: f64| {
-        model.set(0, at).expect("a place is finite");
-        indices
-            .iter()
-            .map(|&index| model.get(index).expect("the range was checked"))
-            .collect()
-    };
-    places.map(row).collect()
 }
 
 /// Runs formulas on the recorder, up to what each section explains: one run, in the order of the sections. Those of
@@ -179,7 +139,7 @@ pub fn sheet<T: Described>(told: &Description<T>, origins: &Origins, asked: &[Pl
 /// All but what moves.
 fn at_rest<T: Described>(told: &Description<T>, model: &mut Standing, origins: &Origins, asked: &[Place]) -> Sheet {
     let outline = T::OUTLINE;
-    let mut peaks = Peaks::new(model);
+    let mut peaks = Peaks::over(model, T::aside(told));
     let Judged {
         governing,
         summary,
@@ -188,16 +148,24 @@ fn at_rest<T: Described>(told: &Description<T>, model: &mut Standing, origins: &
     } = judged(told, model, &mut peaks, &|_| true);
     let forces = forces(model, &mut peaks, outline);
     let positions = positions(outline, model.motion(), asked, &governing);
+    let there = worst(outline, model.motion(), &governing);
+    stand(model, there.aside);
+    if there.aside.is_some() {
+        peaks = Peaks::new(model);
+    }
     let of = body(model, outline, &governing);
+    let worked = positions.into_iter().map(|place| {
+        stand(model, place.aside);
+        worked::<T>(model, place, of)
+    });
+    let worked = worked.collect();
+    stand(model, there.aside);
     let mut sheet = Sheet {
         assumptions: T::assumptions(told),
         inputs: told.inputs(origins),
         uses: uses(outline),
         constants: constants::<T>(model, of),
-        positions: positions
-            .into_iter()
-            .map(|(id, at)| worked::<T>(model, id, at, of))
-            .collect(),
+        positions: worked,
         range: table(model, outline.table),
         curves: lines(told, model, &mut peaks, outline.curves),
         drawing: T::drawing(told, T::drawn_at(told)),
@@ -228,7 +196,6 @@ fn uses(outline: &Outline) -> Vec<(&'static str, Vec<&'static Symbol>)> {
 
 /// Least and greatest values over the working range of what other parts are designed for.
 fn forces(model: &Standing, peaks: &mut Peaks, outline: &'static Outline) -> Vec<[Summary; 2]> {
-    let coordinate = model.variables()[0].symbol;
     peaks.look(model, outline.forces.iter().copied());
     let of = |&symbol: &&'static Symbol| {
         let known = outline.extremes.iter().find(|extreme| extreme.of == symbol);
@@ -238,10 +205,11 @@ fn forces(model: &Standing, peaks: &mut Peaks, outline: &'static Outline) -> Vec
             let found = peaks.most(model, &Greatest { pole, ..own })?;
             let value = match end {
                 // It is so to both sides.
-                Most::Least if found.value == f64::INFINITY => -found.value,
-                _ => found.value,
+                Most::Least if found.extreme.value == f64::INFINITY => f64::NEG_INFINITY,
+                _ => found.extreme.value,
             };
-            Some(Summary::at(symbol, Extreme { value, ..found }, coordinate))
+            let extreme = Extreme { value, ..found.extreme };
+            Some(peaks.summary(model, symbol, Peak { extreme, ..found }))
         };
         Some([end(Most::Least)?, end(Most::Greatest)?])
     };
@@ -289,54 +257,24 @@ pub fn compared(published: &Published, model: &mut Standing) -> Vec<Result<Vec<C
     published.rows.iter().map(&mut row).collect()
 }
 
-/// Of which of several bodies, numbered from 1, the formulas speak: of the one that governs at the worst position, else
-/// of the first; where that result is not numbered, of the first one that is and that sections tell. `None` where there are
-/// not several.
-fn body(model: &mut Standing, outline: &'static Outline, governing: &[Summary]) -> Option<usize> {
-    let (_, symbol) = outline.worst[0];
-    let own = outline.extremes.iter().find(|extreme| extreme.symbol == symbol)?;
-    let is_numbered = (model.variables().iter()).any(|variable| variable.symbol == own.of && variable.number.is_some());
-    let told = |of: &'static Symbol| {
-        let stage = slot(model, of).map(|slot| model.part().stages()[usize::from(slot.stage)].id);
-        let tells = |what: &Explained| matches!(what, Explained::Stage(id) if Some(*id) == stage);
-        outline.sections.iter().any(|(_, list)| list.iter().any(tells))
-    };
-    let several = |extreme: &&Greatest| indices(model, extreme.of).len() > 1 && (is_numbered || told(extreme.of));
-    let others = Some(own).filter(several).or(outline.extremes.iter().find(several));
-    let extreme = others.or(Some(own).filter(|_| is_numbered))?;
-    let found = governing.iter().find(|found| found.symbol == symbol);
-    let Some((_, at)) = found.and_then(|found| found.at) else {
-        return Some(1);
-    };
-    let all = numbered(model, extreme.of, at);
-    let most = |best: usize, i: usize| {
-        if extreme.most.is_before(all[best], all[i]) {
-            i
-        } else {
-            best
-        }
-    };
-    Some(1 + (0..all.len()).fold(0, most))
-}
-
 /// Formulas that do not depend on the position.
 #[must_use]
 pub fn constants<T: Described>(model: &Standing, of: Option<usize>) -> Vec<Section> {
     run::<T>(model, (model.motion().from, of), &[], T::OUTLINE.constants)
 }
 
-/// The formulas at a position.
-#[must_use]
-pub fn worked<T: Described>(model: &Standing, id: &'static str, at: f64, of: Option<usize>) -> Worked {
+/// The formulas at a position, at whose second coordinate the model stands.
+fn worked<T: Described>(model: &Standing, place: Position, of: Option<usize>) -> Worked {
     let Outline {
         constants, sections, ..
     } = T::OUTLINE;
     Worked {
-        id,
+        id: place.id,
         coordinate: model.variables()[0].symbol,
-        value: at,
+        value: place.at,
+        aside: place.aside,
         of,
-        sections: run::<T>(model, (at, of), constants, sections),
+        sections: run::<T>(model, (place.at, of), constants, sections),
     }
 }
 
@@ -354,36 +292,6 @@ pub fn explained<T: Described>(
         ..
     } = T::OUTLINE;
     run::<T>(model, at, &[*constants, *own, before].concat(), sections)
-}
-
-/// Positions at which the formulas are worked out, with their names: what the scene asks for, otherwise the worst.
-#[must_use]
-pub fn positions(
-    outline: &Outline,
-    motion: &Motion,
-    asked: &[Place],
-    governing: &[Summary],
-) -> Vec<(&'static str, f64)> {
-    let middle = ("middle", f64::midpoint(motion.from, motion.to));
-    let greatest = |id: &str| governing.iter().find(|g| g.symbol.id == id)?.at;
-    let known = |symbol: &Symbol| governing.iter().find(|g| g.symbol == symbol && g.value != 0.0)?.at;
-    let mut worst = outline
-        .worst
-        .iter()
-        .filter_map(|(name, symbol)| Some((*name, known(symbol)?.1)));
-    let worst = worst.next().unwrap_or(middle);
-    let position = |place: &Place| match *place {
-        Place::At(at) => ("chosen", at),
-        Place::Named("governing") => worst,
-        Place::Named("middle") => middle,
-        Place::Named("from") => ("from", motion.from),
-        Place::Named("to") => ("to", motion.to),
-        Place::Named(id) => greatest(id).map_or(middle, |(_, at)| (id, at)),
-    };
-    match asked {
-        [] => vec![worst],
-        places => places.iter().map(position).collect(),
-    }
 }
 
 /// Results over the working range, a row for each step of the scene.

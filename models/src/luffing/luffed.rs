@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use num_dual::Dual64;
 
+use crate::component::aside::Aside;
 use crate::component::scalar::{EachScalar, Scalar};
 use crate::component::stages::results;
 use crate::kernel::calc::{Calc, sum};
@@ -170,6 +171,16 @@ impl<C: Calc> LuffedInertia<C> {
     /// J_lm = Σ m r², each bar two masses of its weight and inertia.
     pub fn new(luffed: &Luffed<C>) -> LuffedInertia<C> {
         LuffedInertia(luffed.inertia.def(&s::J_LM))
+    }
+}
+
+impl Luffer {
+    /// Its angle as a second coordinate of what carries it.
+    pub fn aside(&self) -> Aside {
+        Aside {
+            symbol: &s::THETA_1,
+            range: *self.0.range(),
+        }
     }
 }
 

@@ -1,4 +1,4 @@
-//! What several mechanisms are made of: plane geometry, air, ground, a four-bar, a speed controller, solids cut by a plane, joints, buckling, slewing, teeth, a load curve, a load on its rope, a hoist, a body on springs, motors with brakes, how brakes stop them, safeties, motion over a range, travel on rails, oil, solvers.
+//! What several mechanisms are made of: plane geometry, air, ground, a four-bar, a speed controller, solids cut by a plane, joints, buckling, slewing, teeth, a load curve, a load on its rope, a hoist, a body on springs, motors with brakes, how they start and how brakes stop them, safeties, motion over a range, travel on rails, oil, solvers.
 
 pub mod air;
 pub mod arcs;
@@ -25,6 +25,7 @@ pub mod smooth_curve;
 pub mod solid;
 pub mod solver;
 pub mod springs;
+pub mod starts;
 pub mod teeth;
 pub mod travel;
 pub mod turntable;

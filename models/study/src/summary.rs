@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use lemnis_models::alone::alone;
+use lemnis_models::component::places::stand;
 use lemnis_models::component::running::Running;
 use lemnis_models::component::standing::Standing;
 use lemnis_models::kernel::variable::Quantity;
@@ -200,14 +201,14 @@ fn shape(message: &str) -> String {
 /// Exact derivative of an output by a quantity in the scene, at the held position.
 fn derivative(plan: &Plan<'_>, output: &Output, by: Quantity) -> Option<f64> {
     let mut model: Standing = plan.scene.mechanism.standing();
-    let (of, at) = match output.at {
-        Some(at) => (output.of, Some(at)),
+    let (of, at, aside) = match output.at {
+        Some(at) => (output.of, Some(at), None),
         None => {
             let symbol = output.of.0;
             let all = judged(&*plan.scene.mechanism, &mut model, &|known| known == symbol);
             let found = all.results().find(|result| result.symbol == symbol)?;
             let of = found.at.and(found.of).unwrap_or(symbol);
-            ((of, None), found.at.map(|(_, at)| at))
+            ((of, None), found.at.map(|(_, at)| at), found.aside)
         }
     };
     let index = model
@@ -217,6 +218,7 @@ fn derivative(plan: &Plan<'_>, output: &Output, by: Quantity) -> Option<f64> {
     if let Some(at) = at {
         model.set(0, at).ok()?;
     }
+    stand(&mut model, aside);
     let tangent = &mut model.tangent(&|quantity| f64::from(quantity == by));
     model
         .derivative(tangent, index)

@@ -196,8 +196,8 @@ impl<'a> Teller<'a> {
         Script::of_math(&self.numbers.result(symbol, value))
     }
 
-    fn at(&self, at: Option<(&'static Symbol, f64)>) -> Option<Script> {
-        at.map(|(symbol, value)| Script::of_math(&self.numbers.named(symbol, value)))
+    fn at(&self, [at, aside]: [Option<(&'static Symbol, f64)>; 2]) -> Option<Script> {
+        self.numbers.place(at, aside).map(|place| Script::of_math(&place))
     }
 
     fn line(&self, result: &sheet::Summary) -> Line {
@@ -208,7 +208,7 @@ impl<'a> Teller<'a> {
             text: self.meaning(result.symbol),
             symbol: Script::of_math(result.symbol.print),
             value: self.result(result.symbol, result.value),
-            at: self.at(result.at),
+            at: self.at([result.at, result.aside]),
         }
     }
 
@@ -225,7 +225,7 @@ impl<'a> Teller<'a> {
             passed: check.passed(),
             verdict: self.word("verdict", verdict(check)),
             utilisation: utilisation(check).map(|part| numbers.language.text(&part)),
-            at: self.at(check.at),
+            at: self.at([check.at, check.aside]),
         }
     }
 
@@ -237,7 +237,7 @@ impl<'a> Teller<'a> {
             ("quantity", quantity),
             ("manoeuvre", manoeuvre.unwrap_or_default()),
             ("count", Script::from(warning.count.to_string().as_str())),
-            ("at", self.at(summary.at).unwrap_or_default()),
+            ("at", self.at([summary.at, summary.aside]).unwrap_or_default()),
         ];
         if summary.at.is_some() {
             return self.sentence("warning", warning.id, &named);

@@ -65,9 +65,9 @@ impl Told {
     pub fn new(results: &Results) -> Told {
         let Results { scene, sheet, .. } = results;
         let total = |result: &Summary| {
-            let at = result
-                .at
-                .map(|(coordinate, at)| BTreeMap::from([(coordinate.id, number(at))]));
+            let both = result.at.into_iter().chain(result.aside);
+            let places = both.map(|(coordinate, at)| (coordinate.id, number(at)));
+            let at = result.at.map(|_| places.collect());
             let (value, unit) = (number(result.value), result.symbol.unit.name);
             (result.symbol.id, Total { value, unit, at })
         };

@@ -85,7 +85,7 @@ pub(super) fn summary(numbers: &Numbers, summary: &sheet::Summary) -> Summary {
     Summary {
         quantity: summary.symbol.into(),
         value: numbers.result(summary.symbol, summary.value),
-        at: summary.at.map(|(symbol, at)| numbers.named(symbol, at)),
+        at: numbers.place(summary.at, summary.aside),
     }
 }
 

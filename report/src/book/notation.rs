@@ -73,7 +73,9 @@ impl Notation {
             .requirements
             .iter()
             .chain(sheet.identities.iter().filter(|_| chapters.contains(&"identities")));
-        let results = checks.flat_map(|check| std::iter::once(check.symbol).chain(check.at.map(|(symbol, _)| symbol)));
+        let results = checks.flat_map(|check| {
+            std::iter::once(check.symbol).chain(check.at.into_iter().chain(check.aside).map(|(symbol, _)| symbol))
+        });
         let warnings = sheet.warnings.iter().map(|warning| warning.summary.symbol);
         let results = results.chain(warnings).chain(sheet.unjudged.iter().copied());
         let results = results.chain(sheet.governing.iter().chain(&sheet.summary).map(|s| s.symbol));

@@ -52,6 +52,8 @@ pub(super) struct Position {
     id: &'static str,
     symbol: &'static str,
     value: String,
+    /// The second coordinate, where there is one.
+    aside: Option<String>,
     /// Number of the body that the formulas speak of.
     of: Option<usize>,
     sections: Vec<Section>,
@@ -69,6 +71,9 @@ impl Position {
             id: position.id,
             symbol: position.coordinate.print,
             value: numbers.in_formula(position.coordinate, position.value),
+            aside: position
+                .aside
+                .map(|(symbol, at)| format!("{} = {}", symbol.print, numbers.in_formula(symbol, at))),
             of: position.of,
             sections: sections(numbers, &position.sections, outputs, requirements, notation),
         }

@@ -111,7 +111,7 @@ fn check(numbers: &Numbers, check: &sheet::Check, dm_95: Option<f64>) -> Check {
         at_most: check.at_most,
         passed: check.passed(),
         utilisation: utilisation(check).map(|part| numbers.language.text(&part)),
-        at: check.at.map(|(symbol, at)| numbers.named(symbol, at)),
+        at: numbers.place(check.at, check.aside),
         band: check.band.map(|band| numbers.rough(check.symbol, band)),
         doubtful: check.is_doubtful(),
         infinite: (!check.value.is_finite()).then_some(check.symbol.id),

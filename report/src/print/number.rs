@@ -94,6 +94,14 @@ impl Numbers {
         format!("{} = {}", symbol.print, self.result(symbol, value))
     }
 
+    /// Where a result is so: the coordinate, and the second one where it matters; `None` where it is so everywhere.
+    #[must_use]
+    pub fn place(&self, at: Option<(&Symbol, f64)>, aside: Option<(&Symbol, f64)>) -> Option<String> {
+        let both = at.into_iter().chain(aside);
+        let named = both.map(|(symbol, value)| self.named(symbol, value));
+        named.reduce(|one, other| format!("{one}, {other}"))
+    }
+
     /// A quantity in a formula, with the digits that a reader needs who calculates it again.
     #[must_use]
     pub fn in_formula(&self, symbol: &Symbol, value: f64) -> String {

@@ -48,12 +48,12 @@ use crate::luffing::with_balance::{WithBalance, searched};
 use crate::parts::air::AIR;
 use crate::parts::ground::GROUND;
 use crate::parts::motion::Motion;
-use crate::parts::motor;
 use crate::parts::plane::{self, Point};
 use crate::parts::shaping;
 use crate::parts::smooth_curve::{NoCurve, SmoothCurve};
 use crate::parts::teeth;
 use crate::parts::{air, ground, hanging, hydraulics};
+use crate::parts::{motor, starts};
 
 /// Keys of `[luffing]` with `kind = "curved_trunk"`.
 pub const KEYS: &[Key] = &[
@@ -165,6 +165,7 @@ impl Described for CurvedTrunk {
             moving::control::hoist::ALL,
             resistances::symbols::ALL,
             motor::ALL,
+            starts::ALL,
             teeth::ALL,
             strength::symbols::ALL,
             air::ALL,

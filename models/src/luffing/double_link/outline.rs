@@ -19,7 +19,7 @@ use crate::luffing::resistances::symbols::{M_R_SUM, P_I};
 use crate::luffing::strength::outline::WorkedOutline;
 use crate::luffing::{resistances, strength};
 use crate::parts::hydraulics::symbols as h;
-use crate::parts::{air, ground, hanging, hydraulics, motor, shaping, teeth, turntable, turntable_control};
+use crate::parts::{air, ground, hanging, hydraulics, motor, shaping, starts, teeth, turntable, turntable_control};
 
 /// What given quantities of its own are for that no formula has.
 const OWN_USES: [Purpose; 13] = [
@@ -172,6 +172,7 @@ pub const VOCABULARY: Vocabulary = Vocabulary {
         crate::luffing::moving::symbols::ALL,
         resistances::symbols::ALL,
         motor::ALL,
+        starts::ALL,
         teeth::ALL,
         strength::symbols::ALL,
         air::ALL,

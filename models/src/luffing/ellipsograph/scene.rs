@@ -46,11 +46,11 @@ use crate::luffing::with_balance::{WithBalance, searched};
 use crate::parts::air::AIR;
 use crate::parts::ground::GROUND;
 use crate::parts::motion::{Motion, degrees};
-use crate::parts::motor;
 use crate::parts::plane::Point;
 use crate::parts::shaping;
 use crate::parts::teeth;
 use crate::parts::{air, ground, hanging, hydraulics};
+use crate::parts::{motor, starts};
 
 /// Keys of `[luffing]` with `kind = "ellipsograph"`.
 pub const KEYS: &[Key] = &[
@@ -132,6 +132,7 @@ impl Described for Ellipsograph {
             moving::control::hoist::ALL,
             resistances::symbols::ALL,
             motor::ALL,
+            starts::ALL,
             teeth::ALL,
             strength::symbols::ALL,
             air::ALL,

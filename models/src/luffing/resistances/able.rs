@@ -98,7 +98,7 @@ impl Looking<'_> {
                     "{} the motor would have to turn at {}, which is not below n_0 = {}",
                     self.said(&found),
                     s::N_MOT.written(turns),
-                    s::N_0.written(self.cases.slip.map_or(0.0, |slip| slip.n_0))
+                    s::N_0.written(self.cases.start.slip.map_or(0.0, |slip| slip.n_0))
                 );
                 return Some(("start", what, ["too slow", FASTER]));
             }
@@ -113,7 +113,7 @@ impl Looking<'_> {
             return Some(("start", self.resists(&found, &gives, least), WEAK));
         }
         let found = self.never(&s::T_INV)?;
-        let limit = self.there(&s::T_LIM, &found).unwrap_or(0.0);
+        let limit = self.there(&s::T_U, &found).unwrap_or(0.0);
         Some(("start", self.resists(&found, "the inverter lets it give", limit), WEAK))
     }
 

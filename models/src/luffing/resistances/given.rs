@@ -26,16 +26,6 @@ quantities! {
 }
 
 quantities! {
-    /// A motor that starts along its slip curve: its breakdown torque over the rated one, synchronous speed (1/s).
-    SlipStart { lambda: LAMBDA_BD, n_0: N_0 }
-}
-
-quantities! {
-    /// One on an inverter: time of its ramp (s), greatest torque over the rated one.
-    InverterStart { time: T_R, lambda: LAMBDA_INV }
-}
-
-quantities! {
     /// Another one, which acts after it.
     SecondBrake { torque: T_B2, delay: TAU_B2 }
 }

@@ -9,12 +9,13 @@ use crate::kernel::symbol::Symbol;
 use crate::kernel::text::Text;
 use crate::luffing::resistances::friction::OF_BALANCE;
 use crate::luffing::resistances::given::{
-    Case, CaseBody, CaseBrake, CaseHold, CaseMotor, CasePin, CasesChoice, InverterStart, SecondBrake, SlipStart,
+    Case, CaseBody, CaseBrake, CaseHold, CaseMotor, CasePin, CasesChoice, SecondBrake,
 };
 use crate::luffing::resistances::placed::BARS;
 use crate::luffing::resistances::symbols as s;
-use crate::luffing::resistances::train::{BRAKE, MOTOR, SECOND, START, Train, named};
+use crate::luffing::resistances::train::{BRAKE, MOTOR, SECOND, Train, named};
 use crate::luffing::strength::scene::{BUCKLING, NUT, PIN_SIZE, ROPE, Sizes, TEETH};
+use crate::parts::starts::scene::{MotorStart, START};
 
 /// The table `[cases]`, also beside the mechanism.
 pub const CASES: Key = Key::part(
@@ -70,8 +71,7 @@ pub struct Cases {
     pub pins: Vec<CasePin<f64>>,
     pub air: Option<One<f64>>,
     pub motor: Option<CaseMotor<f64>>,
-    pub slip: Option<SlipStart<f64>>,
-    pub inverter: Option<InverterStart<f64>>,
+    pub start: MotorStart,
     pub brake: Option<CaseBrake<f64>>,
     pub second: Option<SecondBrake<f64>>,
     /// Of each case, where there are brakes.
@@ -127,8 +127,7 @@ impl Cases {
         let train = Train::read(table, &read.names, found);
         read.choice().heating = train.heating;
         (read.motor, read.brake, read.second) = (train.motor, train.brake, train.second);
-        (read.slip, read.inverter) = (train.slip, train.inverter);
-        read.holds = train.holds;
+        (read.start, read.holds) = (train.start, train.holds);
         if table.tables("case").is_empty() {
             found.push(table.refuse("case", "no case", "nothing to overcome", "add [[cases.case]]"));
         }

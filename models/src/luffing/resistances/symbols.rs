@@ -9,6 +9,7 @@ pub use crate::parts::motor::{
     A_START, A_START_MAX, A_STOP, A_STOP_MAX, J_K, J_M, J_START, K_A, K_B, LAMBDA_M, N_MOT, N_N, N_S, OMEGA_B, P_M,
     P_M_MAX, P_N, PSI_B, T_0, T_B, T_START, T_START_MAX, T_STOP, T_STOP_MAX, TAU_B, U_M, U_M_MAX,
 };
+pub use crate::parts::starts::{A_INV, A_SLIP, I_S, N_0, S_F, S_K, T_BD, T_INV, T_LEAST, T_SLIP, T_U};
 
 symbols! {
     // Given: of each case.
@@ -35,10 +36,6 @@ symbols! {
     // Given: of the motor and its brakes.
     L_M: "l_M" "l_M" M / MM [positive], "Travel of the drive for one turn of the motor: that of a pinion, 2 π r, or a screw's lead, over the ratio of the gear.", "input";
     ETA_M: "eta_M" "eta_M" ONE / ONE [within(Range::new(0.0, 1.0))], "Efficiency of all between motor and drive.", "[Ports001, 5.6]";
-    LAMBDA_BD: "lambda_bd" "lambda_k" ONE / ONE [within(Range::new(1.0, 100.0).above())], "Breakdown torque of the motor over its rated torque.", "[Ports001, 5.6]";
-    N_0: "n_0" "n_0" PER_S / PER_MIN [positive], "Synchronous speed of the motor.", "[Ports001, 5.6]";
-    T_R: "t_r" "t_r" S / S [positive], "Time in which the inverter brings the motor up to its speed.", "[Ports001, 5.6]";
-    LAMBDA_INV: "lambda_inv" "lambda_u" ONE / ONE [positive], "Greatest torque that the inverter lets the motor give, over its rated torque.", "[Ports001, 5.6]";
     T_B2: "T_b2" "T_(b 2)" N_M / N_M [positive], "Torque of the second brake on the motor's shaft.", "[Ports001, 5.7]";
     TAU_B2: "tau_b2" "tau_(b 2)" S / S [not_negative], "Time after which the second brake acts.", "[Ports001, 5.7]";
 
@@ -77,17 +74,6 @@ symbols! {
     // At the motor's shaft in each case.
     T_M: "T_M" "T_(M i)" N_M / N_M [infinite("where the drive points at the foot of its bar")], "Torque at the motor's shaft; positive where the drive presses its ends apart.", "[Ports001, 5.6]";
     P_C: "P_c" "P_(c i)" W / KW, "Root mean square of the powers of the way there and of the way back, on which friction is turned round.", "[Ports001, 5.6]";
-    S_K: "s_k" "s_k" ONE / ONE, "Slip at which the motor gives its breakdown torque; the curve passes the rated point.", "Kloss";
-    T_BD: "T_bd" "T_k" N_M / N_M, "Breakdown torque of the motor.", "Kloss";
-    S_F: "s_f" "s_(f i)" ONE / ONE, "Slip of the motor at the speed of the case.", "Kloss";
-    T_LEAST: "T_least" "T_(s i)" N_M / N_M, "Least torque of the motor on the way from rest to the speed of the case: that at one of its ends.", "Kloss";
-    I_S: "I_s" "I_(s i)" ONE / ONE [infinite("where the motor cannot start")], "Integral over the slip, from that of the case to one, of the breakdown torque over what the motor's torque has to spare.", "Kloss";
-    T_SLIP: "t_slip" "t_(k i)" S / S [infinite("where the motor cannot start")], "Time of a start from this position along the motor's slip curve.", "[Ports001, 5.6]";
-    A_SLIP: "a_slip" "a_(k i)" M_PER_S2 / M_PER_S2, "Mean horizontal acceleration of the head in such a start.", "[Ports001, 5.6]";
-    T_LIM: "T_lim" "T_u" N_M / N_M, "Greatest torque that the inverter lets the motor give.", "[Ports001, 5.6]";
-    T_RAMP: "T_ramp" "T_(r i)" N_M / N_M, "Torque that the ramp of the inverter asks for from this position.", "[Ports001, 5.6]";
-    T_INV: "t_inv" "t_(u i)" S / S [infinite("where the motor cannot start")], "Time of a start from this position on the inverter: that of its ramp, or longer where its limit is reached.", "[Ports001, 5.6]";
-    A_INV: "a_inv" "a_(u i)" M_PER_S2 / M_PER_S2, "Mean horizontal acceleration of the head in such a start.", "[Ports001, 5.6]";
     M_R_HELD: "M_r_held" "M_(r h i)" N_M / KN_M, "Sum of all moments but those of friction and inertia, which the brakes must hold; positive raises the boom.", "[Ports001, 5.7]";
     T_H: "T_H" "T_(H i)" N_M / N_M [infinite("where the drive points at the foot of its bar")], "Torque at the motor's shaft that all but friction and inertia asks for, without losses; positive where the drive presses its ends apart.", "[Ports001, 5.7]";
     T_K1: "T_K1" "T_(K i,1)" N_M / N_M [infinite("where the drive points at the foot of its bar")], "Torque that the brakes must have, without losses.", "[Ports001, 5.7]";

@@ -151,7 +151,8 @@ pub fn chapter<T: Described<Component: Resists>>(
     peaks.look(model, columns.copied());
     let mut greatest = |symbol: &&'static Symbol| -> Vec<Summary> {
         let each = slots(model, symbol).filter_map(|slot| peaks.of(model, &slot, Most::Amount));
-        each.map(|found| Summary::at(symbol, found, coordinate)).collect()
+        each.map(|found| Summary::at(symbol, found.extreme, coordinate))
+            .collect()
     };
     let all: Vec<Vec<Summary>> = ALL.into_iter().flatten().map(&mut greatest).collect();
     let beside: Vec<Vec<Summary>> = T::Component::BESIDE.iter().map(&mut greatest).collect();

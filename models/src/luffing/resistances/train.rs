@@ -3,25 +3,19 @@
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Kind, Values};
-use crate::kernel::symbol::Symbol;
 use crate::kernel::text::Text;
-use crate::luffing::resistances::given::{CaseBrake, CaseHold, CaseMotor, InverterStart, SecondBrake, SlipStart};
+use crate::luffing::resistances::given::{CaseBrake, CaseHold, CaseMotor, SecondBrake};
 use crate::luffing::resistances::symbols as s;
+use crate::parts::starts::scene::MotorStart;
 
 /// Beside the cases.
 pub const MOTOR: Key = Key::part("motor", MOTOR_KEYS, "The motor that works the drive.");
-pub const START: Key = Key::part("start", START_KEYS, "How the motor starts, besides by its mean torque.");
 pub const BRAKE: Key = Key::part("brake", BRAKE_KEYS, "The brake on the motor's shaft.");
 pub const SECOND: Key = Key::part("second_brake", SECOND_KEYS, "Another brake there, which acts after it.");
 
 const MOTOR_KEYS: &[Key] = keys! { s:
     P_N > 0, N_N > 0, LAMBDA_M > 0, K_A > 0, J_M > 0, L_M > 0, ETA_M > 0;
     Key::new("heating", Kind::Name, "The case for whose motion in and out the heating of the motor is asked.")
-};
-
-const START_KEYS: &[Key] = keys! { s:
-    LAMBDA_BD > 0 [optional], N_0 > 0 [optional], T_R > 0 [optional], LAMBDA_INV > 0 [optional];
-    Key::new("kind", Kind::Choice(&["slip", "inverter"]), "\"slip\", along the motor's own curve of torque over slip, or \"inverter\", which ramps its speed up.")
 };
 
 const BRAKE_KEYS: &[Key] = keys! { s: T_B > 0, TAU_B >= 0 };
@@ -32,8 +26,7 @@ const SECOND_KEYS: &[Key] = keys! { s: T_B2 > 0, TAU_B2 >= 0 };
 #[derive(Default)]
 pub struct Train {
     pub motor: Option<CaseMotor<f64>>,
-    pub slip: Option<SlipStart<f64>>,
-    pub inverter: Option<InverterStart<f64>>,
+    pub start: MotorStart,
     pub brake: Option<CaseBrake<f64>>,
     pub second: Option<SecondBrake<f64>>,
     pub holds: Vec<CaseHold<f64>>,
@@ -102,50 +95,12 @@ impl Train {
         }
     }
 
-    /// One of two ways, each with quantities of its own.
     fn take_start(&mut self, table: &Values, start: &Values, found: &mut Vec<Diagnostic>) {
-        let Some(motor) = &self.motor else {
-            if table.table("motor").is_none() {
-                let help = "add [cases.motor]: it is this that starts";
-                found.push(table.refuse("start", "a start without a motor", "of no motor", help));
-            }
-            return;
-        };
-        let slips = start.text("kind") == Some("slip");
-        let (kind, other) = if slips {
-            ("slip", "inverter")
-        } else {
-            ("inverter", "slip")
-        };
-        let mut own = [[&s::LAMBDA_BD, &s::N_0], [&s::T_R, &s::LAMBDA_INV]];
-        if !slips {
-            own.reverse();
-        }
-        for symbol in own[0].into_iter().filter(|symbol| !start.has(symbol.id)) {
-            let (what, help) = (
-                format!("a start of kind \"{kind}\" without {}", symbol.id),
-                format!("add {} = \"... {}\"  ({})", symbol.id, symbol.display.name, symbol.text),
-            );
-            found.push(start.refuse("kind", what, format!("{} is needed", symbol.id), help));
-        }
-        for symbol in own[1].into_iter().filter(|symbol| start.has(symbol.id)) {
-            let what = format!("{} belongs to a start of kind \"{other}\"", symbol.id);
-            found.push(start.refuse(symbol.id, what, "not used", "remove it, or change kind"));
-        }
-        let number = |symbol: &'static Symbol| start.number(symbol.id);
-        if slips {
-            self.slip = SlipStart::of(number);
-        } else {
-            self.inverter = InverterStart::of(number);
-        }
-        if let Some(slip) = self.slip.filter(|slip| slip.n_0 <= motor.n_n) {
-            let what = format!(
-                "n_0 = {} is not above n_N = {}",
-                s::N_0.written(slip.n_0),
-                s::N_N.written(motor.n_n)
-            );
-            let help = "give the synchronous speed: a motor at its rated power turns more slowly";
-            found.push(start.refuse(s::N_0.id, what, "no slip", help));
+        if let Some(motor) = &self.motor {
+            self.start = MotorStart::read(start, motor.n_n, found);
+        } else if table.table("motor").is_none() {
+            let help = "add [cases.motor]: it is this that starts";
+            found.push(table.refuse("start", "a start without a motor", "of no motor", help));
         }
     }
 

@@ -42,11 +42,11 @@ use crate::luffing::with_balance::{WithBalance, searched};
 use crate::parts::air::AIR;
 use crate::parts::ground::GROUND;
 use crate::parts::motion::{Motion, degrees};
-use crate::parts::motor;
 use crate::parts::plane::{self, Point};
 use crate::parts::shaping;
 use crate::parts::teeth;
 use crate::parts::{air, ground, hanging, hydraulics};
+use crate::parts::{motor, starts};
 
 /// Keys of `[luffing]` with one of the two kinds.
 const fn keys(kind: Key, hoist_rope: &'static [Key]) -> [Key; 20] {
@@ -152,6 +152,7 @@ impl Described for Rope {
             shaping::ALL,
             resistances::symbols::ALL,
             motor::ALL,
+            starts::ALL,
             teeth::ALL,
             strength::symbols::ALL,
             air::ALL,

@@ -16,7 +16,7 @@ pub const OUTLINE: Outline = Outline {
         carried_luffing "luffing", carried_weights "luffing.weights", carried_balance "luffing.balance", carried_inertias "luffing.dynamics", carried_range "luffing.motion",
         upper_slope "slope", upper_areas "areas",
         upper_cases "load_cases", column_bearings "bearings", column_friction "friction",
-        column_counterweight "counterweight", turning_drive "slewing_drive", turning_brake "slewing_drive.brake", turning_coupling "slewing_drive.coupling", turning_pinion "slewing_drive.pinion",
+        column_counterweight "counterweight", turning_drive "slewing_drive", case_start "slewing_drive.start", turning_brake "slewing_drive.brake", turning_coupling "slewing_drive.coupling", turning_pinion "slewing_drive.pinion",
         motion, limits
     ),
     constants: &CONSTANTS,
@@ -48,7 +48,7 @@ const OWN_CONSTANTS: [SectionOutline; 4] = [
     ("column_pivot", &[Stage("pivot")]),
 ];
 
-const SECTIONS: [SectionOutline; 10] = joined(OWN_SECTIONS, drive::SECTIONS);
+const SECTIONS: [SectionOutline; 12] = joined(OWN_SECTIONS, drive::SECTIONS);
 
 const OWN_SECTIONS: [SectionOutline; 4] = [
     ("upper_loads", &[Stage("loads")]),
@@ -66,7 +66,7 @@ const OWN_CURVES: [Line; 4] = [
     ("column_foot", None, &s::H_F),
 ];
 
-const EXTREMES: [Greatest; 22] = joined(OWN_EXTREMES, drive::EXTREMES);
+const EXTREMES: [Greatest; 26] = joined(OWN_EXTREMES, drive::EXTREMES);
 
 const OWN_EXTREMES: [Greatest; 9] = [
     Greatest::new(&s::V_TOP, Most::Greatest, &s::V),
@@ -80,7 +80,7 @@ const OWN_EXTREMES: [Greatest; 9] = [
     Greatest::new(&s::M_FB_MAX, Most::Greatest, &s::M_FB),
 ];
 
-const LIMITS: [Limit; 14] = joined(OWN_LIMITS, drive::LIMITS);
+const LIMITS: [Limit; 18] = joined(OWN_LIMITS, drive::LIMITS);
 
 const OWN_LIMITS: [Limit; 5] = [
     Limit::at_most("column_upper", &s::H_U_TOP),

@@ -1,5 +1,6 @@
 //! A column as scenes describe it and books tell it.
 
+use crate::component::aside::Aside;
 use crate::component::description::{Described, Description, Vocabulary};
 use crate::component::draw::{Draw, along, polar};
 use crate::component::mechanism::Entry;
@@ -13,6 +14,7 @@ use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Values};
 use crate::kernel::symbol::Symbol;
 use crate::luffing::kinds::CARRIED;
+use crate::luffing::luffed::Luffer;
 use crate::parts::motion::Motion;
 use crate::parts::plane::Point;
 use crate::supports::column::checks::about_the_foot;
@@ -46,7 +48,7 @@ pub const KEYS: &[Key] = keys! { s:
 static BEARINGS: &[Key] = keys! { s: D_U > 0, B_U > 0, D_F > 0, B_F > 0, D_P > 0, D_I >= 0 [usually(0.0)] };
 static FRICTION: &[Key] = keys! { s: MU_U >= 0, MU_F >= 0, MU_P >= 0 };
 static COUNTERWEIGHT: &[Key] = keys! { s: R_D > 0 };
-const LIMITS: &[Key] = &Limit::keys::<12>(OUTLINE.limits);
+const LIMITS: &[Key] = &Limit::keys::<16>(OUTLINE.limits);
 
 /// A column as the scene describes it; SI.
 #[derive(Clone, Debug)]
@@ -138,6 +140,8 @@ impl Described for ColumnScene {
             gravity: turning.gravity,
             drive: turning.drive,
             rope: turning.rope,
+            slip: turning.start.slip,
+            inverter: turning.start.inverter,
             works: turning.works.clone(),
             places: turning.places.clone(),
             holds: turning.holds.clone(),
@@ -156,6 +160,10 @@ impl Described for ColumnScene {
 
     fn levels(&self) -> Vec<&'static str> {
         vec!["static"]
+    }
+
+    fn aside(this: &Description<ColumnScene>) -> Option<Aside> {
+        this.given.luffer.as_ref().map(Luffer::aside)
     }
 
     fn identities(this: &Description<ColumnScene>, model: &mut Standing) -> Vec<Check> {

@@ -11,6 +11,7 @@ use crate::supports::drive::given::TurningDrive;
 use crate::supports::drive::inertia::Outswing;
 use crate::supports::drive::motor::TurningMotor;
 use crate::supports::drive::resistance::TurningMoments;
+use crate::supports::drive::starts::HardestPush;
 use crate::supports::drive::symbols as s;
 
 /// What a brake must hold, in N·m at the axis and at its shaft.
@@ -149,12 +150,12 @@ impl<C: Calc> Coupled<C> {
         brake: &CaseBrake<C>,
         limit: &One<C>,
         motor: &TurningMotor<C>,
+        pushed: &HardestPush<C>,
         stop: &TurningStop<C>,
     ) -> Coupled<C> {
         let moves = motor.n.value() > 0.0;
-        let turning = C::constant(TAU) * motor.n;
         let starts = if moves {
-            motor.against + (motor.inertia - drive.j) * turning / motor.time
+            motor.against + pushed.torque(motor.inertia - drive.j, motor)
         } else {
             motor.against
         };

@@ -7,6 +7,8 @@ macro_rules! turned_by {
             Parameter gravity: Option<One<C>>,
             Parameter drive: Option<$crate::supports::drive::given::TurningDrive<C>>,
             Parameter rope: Option<One<C>>,
+            Parameter slip: Option<$crate::parts::starts::SlipStart<C>>,
+            Parameter inverter: Option<$crate::parts::starts::InverterStart<C>>,
             Parameter works: Vec<$crate::supports::drive::given::TurningCase<C>>,
             Parameter places: Vec<$crate::supports::drive::given::TurnedArea<C>>,
             Parameter holds: Vec<$crate::parts::motor::CaseHold<C>>,
@@ -44,6 +46,12 @@ macro_rules! turned {
                 );
             motors[each works]: Vec<$crate::supports::drive::motor::TurningMotor<C>> =
                 $crate::supports::drive::motor::TurningMotor::new(drive[!], works[each], turned[each], swung[each]);
+            slipped[each works]: Vec<$crate::parts::starts::slip::Slipped<C>> =
+                $crate::supports::drive::starts::slipped(drive[!], slip[!], swung[each], motors[each]);
+            ramped[each works]: Vec<$crate::parts::starts::inverter::Ramped<C>> =
+                $crate::supports::drive::starts::ramped(drive[!], inverter[!], swung[each], motors[each]);
+            pushed[each works]: Vec<$crate::supports::drive::starts::HardestPush<C>> =
+                $crate::supports::drive::starts::HardestPush::new(drive[!], slip, inverter, motors[each]);
             heat: $crate::supports::drive::motor::TurningHeat<C> =
                 $crate::supports::drive::motor::TurningHeat::new(drive[!], turns, swung, motors);
             holding[each holds]: Vec<$crate::supports::drive::brake::TurningHold<C>> =
@@ -51,10 +59,14 @@ macro_rules! turned {
             stopping[each works]: Vec<$crate::supports::drive::brake::TurningStop<C>> =
                 $crate::supports::drive::brake::TurningStop::new(drive[!], brake[!], turned[each], swung[each], motors[each]);
             coupled[each works]: Vec<$crate::supports::drive::brake::Coupled<C>> =
-                $crate::supports::drive::brake::Coupled::new(drive[!], brake[!], limit[!], motors[each], stopping[each]);
+                $crate::supports::drive::brake::Coupled::new(
+                    drive[!], brake[!], limit[!], motors[each], pushed[each], stopping[each]
+                );
             meshed: C = $crate::supports::drive::pinion::meshed(pinion[!], turns) => RHO_C;
             pinions[each works]: Vec<$crate::supports::drive::pinion::PinionForce<C>> =
-                $crate::supports::drive::pinion::PinionForce::new(drive[!], pinion[!], meshed, turned[each], motors[each]);
+                $crate::supports::drive::pinion::PinionForce::new(
+                    drive[!], pinion[!], meshed, turned[each], motors[each], pushed[each]
+                );
         } $($to)* }
     };
 }

@@ -15,6 +15,7 @@
 //! | `drive.inertia` | [`inertia::TurnedWorks::new`], [`inertia::Outswing::new`] | Ports001, 6.5.1; implicit function |
 //! | `drive.resistance` | [`resistance::TurningMoments::new`] | Ports001, 6.5.1 |
 //! | `drive.motor` | [`motor::TurningMotor::new`], [`motor::TurningHeat::new`] | Ports001, 6.5.2 |
+//! | `drive.starts` | [`starts::slipped`], [`starts::ramped`], [`starts::HardestPush::new`] | Ports001, 6.5.2 |
 //! | `drive.brake` | [`brake::TurningHold::new`], [`brake::TurningStop::new`], [`brake::Coupled::new`] | Ports001, 6.5.4 |
 //! | `drive.pinion` | [`pinion::meshed`], [`pinion::PinionForce::new`] | Ports001, 6.5.4; Hertz, Lewis |
 
@@ -28,6 +29,7 @@ pub mod outline;
 pub mod pinion;
 pub mod resistance;
 pub mod scene;
+pub mod starts;
 pub mod symbols;
 
 use crate::kernel::gravity;
@@ -37,9 +39,10 @@ use crate::parts::{self, hanging, teeth};
 use crate::supports::drive::symbols as s;
 
 /// Symbols that it shares with other drives.
-pub const SHARED: [&[&Symbol]; 6] = [
+pub const SHARED: [&[&Symbol]; 7] = [
     aboard::ALL,
     parts::motor::ALL,
+    parts::starts::ALL,
     teeth::ALL,
     crate::drive::symbols::ALL,
     hanging::ALL,
@@ -47,11 +50,12 @@ pub const SHARED: [&[&Symbol]; 6] = [
 ];
 
 /// Whether there is a result of the drive: without a slope (0) and wind areas (1) there is nothing of them, without a drive
-/// (0) and a rope (1) nothing of these.
-pub fn has(symbol: &Symbol, [inclined, blown, _]: [bool; 3], [drives, hangs]: [bool; 2]) -> bool {
+/// (0), a rope (1) and a start by the motor's own torque (2) nothing of these.
+pub fn has(symbol: &Symbol, [inclined, blown, _]: [bool; 3], [drives, hangs, starts]: [bool; 3]) -> bool {
     let of = |there: &[&Symbol]| there.contains(&symbol);
     (drives || !of(listed!(s: P_SL_RMS, U_SL_RMS)))
         && (inclined || symbol != &s::M_GZ)
         && (blown || !of(listed!(s: M_WZ, S_R)))
         && (hangs || !of(listed!(s: THETA_Q, R_O)))
+        && (starts || !of(listed!(s: T_P, ALPHA_P)))
 }

@@ -11,12 +11,14 @@ pub const CONSTANTS: [SectionOutline; 2] = [
     ("turning_mesh", &[Stage("meshed")]),
 ];
 
-pub const SECTIONS: [SectionOutline; 6] = [
+pub const SECTIONS: [SectionOutline; 8] = [
     ("turning_steady", &[Stage("swung")]),
     ("turning_moments", &[Stage("rubbing"), Stage("turned")]),
     ("turning_motor", &[Stage("motors")]),
+    ("resistances_slip", &[Stage("slipped")]),
+    ("resistances_inverter", &[Stage("ramped")]),
     ("turning_hold", &[Stage("holding")]),
-    ("turning_stop", &[Stage("stopping"), Stage("coupled")]),
+    ("turning_stop", &[Stage("stopping"), Stage("pushed"), Stage("coupled")]),
     ("turning_teeth", &[Stage("pinions")]),
 ];
 
@@ -26,12 +28,16 @@ pub const CURVES: [Line; 3] = [
     ("turning_stop", None, &s::T_STOP),
 ];
 
-pub const EXTREMES: [Greatest; 13] = [
+pub const EXTREMES: [Greatest; 17] = [
     Greatest::new(&s::M_ST_TOP, Most::Greatest, &s::M_ST),
     Greatest::new(&s::P_M_MAX, Most::Greatest, &s::P_M),
     Greatest::new(&s::U_M_MAX, Most::Greatest, &s::U_M),
     Greatest::new(&s::T_START_MAX, Most::Greatest, &s::T_START),
     Greatest::new(&s::A_START_MAX, Most::Greatest, &s::A_START),
+    Greatest::new(&s::T_SLIP_MAX, Most::Greatest, &s::T_SLIP),
+    Greatest::new(&s::A_SLIP_MAX, Most::Greatest, &s::A_SLIP),
+    Greatest::new(&s::T_INV_MAX, Most::Greatest, &s::T_INV),
+    Greatest::new(&s::A_INV_MAX, Most::Greatest, &s::A_INV),
     Greatest::new(&s::U_BS_MAX, Most::Greatest, &s::U_BS),
     Greatest::new(&s::T_STOP_MAX, Most::Greatest, &s::T_STOP),
     Greatest::new(&s::PSI_STOP_MAX, Most::Greatest, &s::PSI_STOP),
@@ -50,11 +56,15 @@ pub const WHOLE: [Whole; 2] = [
 
 pub const SUMMARY: [&Symbol; 2] = [&s::P_SL_RMS, &s::U_SL_RMS];
 
-pub const LIMITS: [Limit; 9] = [
+pub const LIMITS: [Limit; 13] = [
     Limit::within("turning_heating", &s::U_SL_RMS, 1.0),
     Limit::within("turning_overload", &s::U_M_MAX, 1.0),
     Limit::at_most("turning_start", &s::T_START_MAX),
     Limit::at_most("turning_quick", &s::A_START_MAX),
+    Limit::at_most("turning_slip", &s::T_SLIP_MAX),
+    Limit::at_most("turning_slip_quick", &s::A_SLIP_MAX),
+    Limit::at_most("turning_inverter", &s::T_INV_MAX),
+    Limit::at_most("turning_inverter_quick", &s::A_INV_MAX),
     Limit::within("turning_hold", &s::U_BS_MAX, 1.0),
     Limit::at_most("turning_stop", &s::T_STOP_MAX),
     Limit::at_most("turning_hard", &s::A_STOP_MAX),

@@ -6,6 +6,8 @@ use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Kind, Values};
 use crate::kernel::symbol::Symbol;
 use crate::parts::motor::{CaseBrake, CaseHold};
+use crate::parts::starts::N_0;
+use crate::parts::starts::scene::{MotorStart, START};
 use crate::supports::drive::given::{RingPinion, TurnedArea, TurningCase, TurningChoice, TurningDrive};
 use crate::supports::drive::symbols as s;
 
@@ -23,6 +25,7 @@ const KEYS: &[Key] = keys! { s:
     Z_D > 0 [usually(1.0)], I_SL > 0, ETA_SL > 0, J_E >= 0 [usually(0.0)], P_N > 0, N_N > 0, LAMBDA_M > 0, K_A > 0, J_M > 0,
     L_R > 0 [optional];
     Key::new("heating", Kind::Count([1, 64]), "The load case for whose slewing to either side the heating of the motors is asked."),
+    START,
     Key::part("brake", BRAKE, "The brake on each motor's shaft."),
     Key::part("coupling", COUPLING, "The coupling behind each motor, which slips."),
     Key::part("pinion", PINION, "The pinion of each drive, and the toothed ring.")
@@ -40,6 +43,7 @@ pub struct TurningScene {
     pub drive: Option<TurningDrive<f64>>,
     pub gravity: Option<One<f64>>,
     pub rope: Option<One<f64>>,
+    pub start: MotorStart,
     /// Of each load case, and of each wind area.
     pub works: Vec<TurningCase<f64>>,
     pub places: Vec<TurnedArea<f64>>,
@@ -87,6 +91,7 @@ impl TurningScene {
             drive: TurningDrive::read(table),
             gravity: Some(One(&s::G, gravity)),
             rope: one(&s::L_R),
+            start: start(table, cases, found),
             works: cases.iter().filter_map(TurningCase::read).collect(),
             places: v.tables("areas").iter().filter_map(TurnedArea::read).collect(),
             holds: cases.iter().filter_map(CaseHold::read).collect(),
@@ -112,7 +117,9 @@ impl TurningScene {
 
     /// Ids of what it does not calculate.
     pub fn uncovered(&self) -> Option<&'static str> {
-        self.drive.map(|_| "turning_starter")
+        let known = self.start.slip.is_some() || self.start.inverter.is_some();
+        self.drive
+            .map(|_| if known { "turning_duty" } else { "turning_starter" })
     }
 }
 
@@ -140,6 +147,27 @@ fn each(
             _ => {}
         }
     }
+}
+
+/// How its motors start, by the speeds of these load cases.
+fn start(table: &Values, cases: &[Values], found: &mut Vec<Diagnostic>) -> MotorStart {
+    let Some((own, rated)) = table.table("start").zip(table.of(&s::N_N)) else {
+        return MotorStart::default();
+    };
+    let read = MotorStart::read(own, rated, found);
+    let ratio = table.of(&s::I_SL).unwrap_or(0.0);
+    let turns = |case: &Values| case.of(&s::N_S).map(|n| n * ratio);
+    let fastest = (1..)
+        .zip(cases.iter().filter_map(turns))
+        .max_by(|one, other| one.1.total_cmp(&other.1));
+    if let Some((slip, (number, turns))) = read.slip.zip(fastest).filter(|(slip, (_, turns))| *turns >= slip.n_0) {
+        let [turns, full] = [s::N_MOT.written(turns), N_0.written(slip.n_0)];
+        let what =
+            format!("in load case {number} a motor would have to turn at {turns}, which is not below n_0 = {full}");
+        let help = "give a motor that turns faster, or a smaller ratio i_sl";
+        found.push(own.refuse(N_0.id, what, "too slow", help));
+    }
+    read
 }
 
 /// Refuses part of a drive, motors that nothing heats, a coupling without a brake, and a ring within its pinion.

@@ -8,6 +8,7 @@ pub use crate::parts::motor::{
     A_START, A_START_MAX, A_STOP, A_STOP_MAX, J_K, J_M, J_START, K_A, K_B, LAMBDA_M, N_MOT, N_N, N_S, OMEGA_B, P_M,
     P_M_MAX, P_N, PSI_B, T_0, T_B, T_START, T_START_MAX, T_STOP, T_STOP_MAX, TAU_B, U_M, U_M_MAX,
 };
+pub use crate::parts::starts::{A_INV, A_SLIP, T_INV, T_SLIP};
 pub use crate::parts::teeth::{ALPHA_T, E_T, K_F, M_T, NU_T, RHO_C, Y_F};
 
 symbols! {
@@ -46,6 +47,8 @@ symbols! {
     P_CW: "P_cw" "P_(\"r\" i)" W / KW, "Power of a motor while the crane slews clockwise, seen from above.", "[Ports001, 6.5.2]";
     P_LR: "P_lr" "P_(\"lr\" i)" W / KW, "Root mean square of a motor's powers in slewing to either side.", "[Ports001, 6.5.2]";
     M_J: "M_J" "M_(J i)" N_M / KN_M, "Moment at the slewing axis that accelerates all that slews in a start.", "[Ports001, 6.5.1]";
+    T_P: "T_p" "T_(\"p\" i)" N_M / N_M, "Greatest torque of a motor on the way of a start.", "[Ports001, 6.5.2]";
+    ALPHA_P: "alpha_p" "dot(omega)_(\"p\" i)" RAD_PER_S2 / RAD_PER_S2, "Acceleration of a motor's shaft under this torque.", "derived";
     M_HS: "M_hs" "M_(\"h\" i)" N_M / KN_M, "Moment of slope, wind and sway that the brakes hold.", "[Ports001, 6.5.4]";
     T_HS: "T_hs" "T_(\"h\" i)" N_M / N_M, "Torque that a brake must have to hold that with the safety asked for, the losses helping.", "[Ports001, 6.5.4]";
     U_BS: "u_bs" "u_(\"b\" i)" ONE / ONE, "The same over the torque that it has.", "derived";
@@ -68,6 +71,10 @@ symbols! {
     M_ST_TOP: "M_st_top" "M_\"st,max\"" N_M / KN_M, "Greatest moment against steady slewing.", "derived";
     P_SL_RMS: "P_sl_rms" "P_\"rms\"" W / KW, "Root mean square of a motor's power over slewing there and back through the working range, in the case of heating.", "[Ports001, 6.5.2]";
     U_SL_RMS: "u_sl_rms" "u_\"rms\"" ONE / ONE, "The same over the rated power.", "derived";
+    T_SLIP_MAX: "t_slip_max" "t_(k,max)" S / S [infinite("where the motor cannot start")], "Longest start along the motor's slip curve.", "derived";
+    A_SLIP_MAX: "a_slip_max" "a_(k,max)" M_PER_S2 / M_PER_S2, "Greatest mean acceleration of the head in such a start.", "derived";
+    T_INV_MAX: "t_inv_max" "t_(u,max)" S / S [infinite("where the motor cannot start")], "Longest start on the inverter.", "derived";
+    A_INV_MAX: "a_inv_max" "a_(u,max)" M_PER_S2 / M_PER_S2, "Greatest mean acceleration of the head in such a start.", "derived";
     U_BS_MAX: "u_bs_max" "u_\"b,max\"" ONE / ONE, "Greatest torque that a brake must have over the one that it has.", "derived";
     PSI_STOP_MAX: "psi_stop_max" "psi_\"s,max\"" RAD / DEG [infinite("where the brakes do not stop the drive")], "Greatest angle of a stop.", "derived";
     T_LIM_MAX: "T_lim_max" "T_\"lim\"" N_M / N_M, "Torque at which the coupling must slip.", "derived";

@@ -1,5 +1,6 @@
 //! A crane on a portal as scenes describe it and books tell it.
 
+use crate::component::aside::Aside;
 use crate::component::description::{Described, Description, Vocabulary};
 use crate::component::draw::along;
 use crate::component::mechanism::Entry;
@@ -15,6 +16,7 @@ use crate::kernel::schema::{Key, Kind, Values};
 use crate::kernel::symbol::Symbol;
 use crate::luffing::aboard;
 use crate::luffing::kinds::CARRIED;
+use crate::luffing::luffed::Luffer;
 use crate::luffing::rig::{GivenCrane, LUFFED};
 use crate::parts::motion::Motion;
 use crate::parts::motor;
@@ -139,6 +141,10 @@ impl Described for PortalScene {
 
     fn levels(&self) -> Vec<&'static str> {
         vec!["static"]
+    }
+
+    fn aside(this: &Description<PortalScene>) -> Option<Aside> {
+        this.given.luffer.as_ref().map(Luffer::aside)
     }
 
     fn identities(this: &Description<PortalScene>, model: &mut Standing) -> Vec<Check> {

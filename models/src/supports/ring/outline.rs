@@ -16,7 +16,7 @@ pub const OUTLINE: Outline = Outline {
         carried_luffing "luffing", carried_weights "luffing.weights", carried_balance "luffing.balance", carried_inertias "luffing.dynamics", carried_range "luffing.motion",
         upper_slope "slope", upper_areas "areas",
         upper_cases "load_cases", ring_contact "contact", ring_capacity "capacity", ring_curve "capacity.curve",
-        ring_friction "friction", ring_maker "maker_friction", ring_bolts "bolts", ring_life "life", turning_drive "slewing_drive", turning_brake "slewing_drive.brake", turning_coupling "slewing_drive.coupling", turning_pinion "slewing_drive.pinion",
+        ring_friction "friction", ring_maker "maker_friction", ring_bolts "bolts", ring_life "life", turning_drive "slewing_drive", case_start "slewing_drive.start", turning_brake "slewing_drive.brake", turning_coupling "slewing_drive.coupling", turning_pinion "slewing_drive.pinion",
         motion, limits
     ),
     constants: &CONSTANTS,
@@ -49,7 +49,7 @@ const OWN_CONSTANTS: [SectionOutline; 4] = [
     ("ring_hardness", &[Stage("hardness")]),
 ];
 
-const SECTIONS: [SectionOutline; 13] = joined(OWN_SECTIONS, drive::SECTIONS);
+const SECTIONS: [SectionOutline; 15] = joined(OWN_SECTIONS, drive::SECTIONS);
 
 const OWN_SECTIONS: [SectionOutline; 7] = [
     ("upper_loads", &[Stage("loads")]),
@@ -71,7 +71,7 @@ const OWN_CURVES: [Line; 5] = [
     ("ring_least", None, &s::P_MIN),
 ];
 
-const EXTREMES: [Greatest; 29] = joined(OWN_EXTREMES, drive::EXTREMES);
+const EXTREMES: [Greatest; 33] = joined(OWN_EXTREMES, drive::EXTREMES);
 
 const OWN_EXTREMES: [Greatest; 16] = [
     Greatest::new(&s::V_TOP, Most::Greatest, &s::V),
@@ -92,7 +92,7 @@ const OWN_EXTREMES: [Greatest; 16] = [
     Greatest::new(&s::L_10_MIN, Most::Least, &s::L_10),
 ];
 
-const LIMITS: [Limit; 18] = joined(OWN_LIMITS, drive::LIMITS);
+const LIMITS: [Limit; 22] = joined(OWN_LIMITS, drive::LIMITS);
 
 const OWN_LIMITS: [Limit; 9] = [
     Limit::at_most("ring_force", &s::P_TOP),

@@ -1,9 +1,11 @@
 //! A slewing ring as scenes describe it and books tell it.
 
+use crate::component::aside::Aside;
 use crate::component::description::{Described, Description, Vocabulary};
 use crate::component::draw::{Draw, along, polar};
 use crate::component::mechanism::Entry;
 use crate::component::outline::{Limit, Outline};
+use crate::component::places::stand;
 use crate::component::sheet::{Check, Curve, Drawing, Sheet};
 use crate::component::stages::Stages;
 use crate::component::standing::Standing;
@@ -14,6 +16,7 @@ use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Kind, Values};
 use crate::kernel::symbol::Symbol;
 use crate::luffing::kinds::CARRIED;
+use crate::luffing::luffed::Luffer;
 use crate::parts::load_curve::{LoadCurve, corner};
 use crate::parts::motion::Motion;
 use crate::parts::plane::Point;
@@ -71,7 +74,7 @@ static LIFE: &[Key] = keys! { s: C_D > 0, K_H >= 0 [usually(0.75)] };
 static MAKER: &[Key] = keys! { s: MU_M >= 0;
     Key::new("form", Kind::Choice(&FORMS), "The maker's form: Rothe Erde's of ball or of roller rings, or another maker's of ball rings, in which the horizontal force counts 2.2 times.")
 };
-const LIMITS: &[Key] = &Limit::keys::<15>(OUTLINE.limits);
+const LIMITS: &[Key] = &Limit::keys::<19>(OUTLINE.limits);
 
 /// A slewing ring as the scene describes it; SI.
 #[derive(Clone, Debug)]
@@ -229,6 +232,8 @@ impl Described for RingScene {
             gravity: turning.gravity,
             drive: turning.drive,
             rope: turning.rope,
+            slip: turning.start.slip,
+            inverter: turning.start.inverter,
             works: turning.works.clone(),
             places: turning.places.clone(),
             holds: turning.holds.clone(),
@@ -247,6 +252,10 @@ impl Described for RingScene {
 
     fn levels(&self) -> Vec<&'static str> {
         vec!["static"]
+    }
+
+    fn aside(this: &Description<RingScene>) -> Option<Aside> {
+        this.given.luffer.as_ref().map(Luffer::aside)
     }
 
     fn identities(this: &Description<RingScene>, model: &mut Standing) -> Vec<Check> {
@@ -298,9 +307,10 @@ impl Described for RingScene {
             .curves
             .extend(governing.and_then(|at| over_reach(&this.given, at)));
         let most = sheet.governing.iter().find(|found| found.symbol == &s::U_ST_MAX);
-        let Some((_, at)) = most.and_then(|found| found.at) else {
+        let Some(((_, at), aside)) = most.and_then(|found| Some((found.at?, found.aside))) else {
             return;
         };
+        stand(model, aside);
         let [forces, moments] = [&s::F_REF, &s::M_REF].map(|symbol| numbered(model, symbol, at));
         let mut points = this.given.curve.0.clone();
         if let Some(&[force, moment]) = points.last()

@@ -2,41 +2,32 @@
 
 use std::f64::consts::TAU;
 
-use crate::component::stages::results;
 use crate::kernel::calc::Calc;
-use crate::luffing::resistances::given::{Case, CaseMotor, InverterStart};
-use crate::luffing::resistances::motor::Motored;
-use crate::luffing::resistances::sums::Sums;
-use crate::luffing::resistances::symbols as s;
+use crate::parts::starts::{self as s, InverterStart, RatedPoint, Starting};
+
+impl<C: Calc> InverterStart<C> {
+    /// Torque (N·m) of a start against a torque (N·m) to an angular momentum (N·m·s): that of the ramp, within the limit.
+    pub fn asked(&self, against: C, momentum: C, rated: &RatedPoint<C>) -> C {
+        (against + momentum / self.time).smaller(self.lambda * rated.torque)
+    }
+}
 
 /// A start on an inverter.
 #[derive(Clone, Copy, Debug)]
 pub struct Ramped<C> {
-    limit: C,
-    asked: C,
-    time: C,
-    quickens: C,
+    pub limit: C,
+    pub asked: C,
+    pub time: C,
+    pub quickens: C,
 }
-results! { each Ramped as m => {
-    T_LIM: m.limit;
-    T_RAMP: m.asked;
-    T_INV: m.time;
-    A_INV: m.quickens;
-} }
 
 impl<C: Calc> Ramped<C> {
     /// T = T_0 + J ω / t_r as far as the limit of the inverter allows it; where that is less, t = J ω / (T − T_0) with it.
     /// [Ports001, 5.6, derived]
-    pub fn new(
-        motor: &CaseMotor<C>,
-        start: &InverterStart<C>,
-        sums: &Sums<C>,
-        case: &Case<C>,
-        motored: &Motored<C>,
-    ) -> Ramped<C> {
+    pub fn new(rated: &RatedPoint<C>, start: &InverterStart<C>, run: &Starting<C>) -> Ramped<C> {
         let none = C::constant(0.0);
-        let limit = (start.lambda * motor.rated()).def(&s::T_LIM);
-        if case.v.value() == 0.0 {
+        let limit = (start.lambda * rated.torque).def(&s::T_U);
+        if !run.moves {
             return Ramped {
                 limit,
                 asked: none,
@@ -44,9 +35,9 @@ impl<C: Calc> Ramped<C> {
                 quickens: none,
             };
         }
-        let momentum = motored.inertia * (C::constant(TAU) * motored.n).abs();
-        let asked = (motored.against + momentum / start.time).def(&s::T_RAMP);
-        let spare = limit - motored.against;
+        let momentum = run.inertia * (C::constant(TAU) * run.n).abs();
+        let asked = (run.against + momentum / start.time).def(&s::T_RAMP);
+        let spare = limit - run.against;
         let time = if spare.value() <= 0.0 {
             C::known(&s::T_INV, f64::INFINITY).over(spare)
         } else if asked.value() > limit.value() {
@@ -54,7 +45,7 @@ impl<C: Calc> Ramped<C> {
         } else {
             start.time.over(asked).def(&s::T_INV)
         };
-        let quickens = ((sums.head.x * case.v / sums.way[0]).abs() / time).def(&s::A_INV);
+        let quickens = (run.head / time).def(&s::A_INV);
         Ramped {
             limit,
             asked,
