@@ -207,7 +207,7 @@ def test_what_is_greatest_within_both_ranges(tmp_path, fmus):
     both = ((math.radians(44.0), math.radians(82.0)), (0.0, 2 * np.pi))
     inside = 0
     for name, of, sign in [("M_top", "M", 1), ("P_low", "P_min", -1), ("M_st_top", "M_st", 1), ("a_start_max", "a_start", 1),
-                           ("a_stop_max", "a_stop", 1), ("t_stop_max", "t_stop", 1), ("a_inv_max", "a_inv", 1), ("F_t_max", "F_t", 1)]:
+                           ("a_stop_max", "a_stop", 1), ("t_stop_max", "t_stop", 1), ("F_t_max", "F_t", 1)]:
 
         def most(theta, psi):
             times = np.arange(theta.size) * 1.0
