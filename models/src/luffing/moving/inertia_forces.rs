@@ -87,9 +87,11 @@ pub fn weight_and_inertia<C: Calc>(
     if let Some(turning) = at.turning {
         forward -= reach * turning.square();
     }
-    let mut upward = travel.y * at.alpha + bend.y * square + gravity;
+    let mut gravity = gravity;
     if let Some(pushed) = &at.pushed {
-        (forward, upward) = (forward - pushed.lean.x, upward - pushed.lean.y);
+        forward -= pushed.lean.x;
+        gravity = pushed.gravity;
     }
+    let upward = travel.y * at.alpha + bend.y * square + gravity;
     Point::new(-(mass * forward), -(mass * upward))
 }

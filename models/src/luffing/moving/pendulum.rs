@@ -85,7 +85,7 @@ impl<P: Calc> Dynamics<P> {
         let mut work = bend * square + along * pull + forward * coriolis + gravity * rise;
         let mut across = change * square + coriolis + gravity * sin;
         if let Some([lift, push]) = self.outer_along(r, m, &reel) {
-            (work, across) = (work - lift, across - push);
+            (work, across) = (work - lift, across - push.def(&s::A_OUT));
         }
         let work = work.def(&s::W_1);
         let (own, coupled) = ((mass * travel).def(&s::M_11), (mass * l * forward).def(&s::M_12));

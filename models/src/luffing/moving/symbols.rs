@@ -103,6 +103,8 @@ symbols! {
     M_WO: "M_Wo" "M_\"Wo\"" N_M / KN_M, "Moment of the weights less those of wind and slope; positive lowers the driving link.", "virtual work";
     A_SLOPE_X: "a_slope.x" "a_(sigma x)" M_PER_S2 / M_PER_S2, "Acceleration by the slope, forward.", "derived";
     A_SLOPE_Y: "a_slope.y" "a_(sigma y)" M_PER_S2 / M_PER_S2, "Acceleration by the slope, upwards: what gravity lacks.", "derived";
+    G_SLOPE: "g_slope" "g_sigma" M_PER_S2 / M_PER_S2, "What is left of gravity upright to the ground on a slope.", "derived";
+    A_OUT: "a_out" "a_o" M_PER_S2 / M_PER_S2, "Acceleration that air and slope give the load across the rope, to where that swings.", "derived";
     V_CY1: "V_cy1" "V_(c y 1)" M3 / M3, "Areas of the first body times drag coefficients times the heights of their centres.", "derived";
     V_CY2: "V_cy2" "V_(c y 2)" M3 / M3, "Areas of the second body times drag coefficients times the heights of their centres.", "derived";
     V_CY3: "V_cy3" "V_(c y 3)" M3 / M3, "Areas of the third body times drag coefficients times the heights of their centres.", "derived";

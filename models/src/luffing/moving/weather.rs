@@ -72,6 +72,8 @@ impl<C> Outside<C> {
 #[derive(Clone, Copy, Debug)]
 pub struct Pushed<C> {
     pub lean: Point<C>,
+    /// What is left of gravity upright to the ground, in m/s².
+    pub gravity: C,
     pub wind: [[C; 2]; BARS + 1],
 }
 
@@ -93,10 +95,12 @@ pub struct Outdoors<P> {
     pub weather: Weather<P>,
     /// Acceleration by the slope, in m/s².
     pub lean: Point<P>,
+    /// What is left of gravity upright to the ground, in m/s².
+    gravity: P,
 }
 
 impl<P: Calc> Outdoors<P> {
-    /// Under gravity in m/s²; a_σx = g sin σ, a_σy = g (1 − cos σ).
+    /// Under gravity in m/s²; a_σx = g sin σ, a_σy = g (1 − cos σ), g_σ = g cos σ.
     pub fn new(to: Arc<dyn Exposes<P>>, weather: Weather<P>, gravity: P) -> Outdoors<P> {
         let (sin, cos) = weather.slope.sin_cos();
         let lean = [gravity * sin, gravity * (P::constant(1.0) - cos)];
@@ -104,6 +108,7 @@ impl<P: Calc> Outdoors<P> {
             to,
             weather,
             lean: plane::def(lean.into(), [&s::A_SLOPE_X, &s::A_SLOPE_Y]),
+            gravity: (gravity * cos).def(&s::G_SLOPE),
         }
     }
 
@@ -111,6 +116,7 @@ impl<P: Calc> Outdoors<P> {
     pub fn pushed(&self, at: P) -> Option<Pushed<P>> {
         Some(Pushed {
             lean: self.lean,
+            gravity: self.gravity,
             wind: self.to.pushes(at, &self.weather)?,
         })
     }

@@ -55,6 +55,7 @@ const SECTIONS: [(&str, &[&Symbol]); 13] = [
             &m::M_WO,
             &m::A_SLOPE_X,
             &m::A_SLOPE_Y,
+            &m::G_SLOPE,
         ],
     ),
     ("motion_slewing", &[]),
@@ -102,7 +103,7 @@ const SECTIONS: [(&str, &[&Symbol]); 13] = [
     (
         "motion_pendulum",
         listed! { m:
-            D_PHI, D_N, Q_A, D_L, Q_L, A_L, A_C, DH_R, DD_PHI, M_11, M_12, M_21, M_22, W_1, TAU_1, TAU_2
+            D_PHI, D_N, Q_A, D_L, Q_L, A_L, A_C, A_OUT, DH_R, DD_PHI, M_11, M_12, M_21, M_22, W_1, TAU_1, TAU_2
         },
     ),
     (
