@@ -32,6 +32,9 @@ pub(super) struct Beside {
 /// What a value changes by in one step at least where it has a corner, over the value.
 const RIDGE: f64 = 1e-6;
 
+/// Where it is looked at which way a ridge rises, as a part of the step to both sides.
+const NEAR: f64 = 1e-3;
+
 /// Parts of the range of the second coordinate between two places.
 const PARTS: u32 = 24;
 
@@ -54,8 +57,7 @@ impl Beside {
 
     /// The greatest value of `f` over the coordinate's range and this one's, from the best of the places looked at: along one
     /// of the two after the other, each step to where the exact derivative changes its sign, until nothing is gained, and along a
-    /// ridge to its top. A result
-    /// that is the same all over the range is that of the first place.
+    /// ridge to its top. A result that is the same all over the range is that of the first place.
     pub fn greatest(&self, motion: &Motion, looked: &[Looked], f: &mut Over<'_>) -> Option<Peak> {
         let best = |looked: &Looked| looked.iter().fold(f64::NEG_INFINITY, |most, value| most.max(value.re));
         let each: Vec<f64> = looked.iter().map(best).collect();
@@ -89,18 +91,27 @@ impl Beside {
         let inside = own > motion.from && own < motion.to && value.is_finite();
         let steep = f(Dual64::new(own, 1.0), Dual64::from_re(aside))?.eps.abs();
         if inside && steep * step[0] > RIDGE * value.abs() {
-            let sides = [(aside - step[1]).max(self.ends[0]), (aside + step[1]).min(self.ends[1])];
             let start = own;
             let mut over = |at: f64| {
                 settled(start, [motion.from, motion.to], step[0], &mut |own| {
                     f(own, Dual64::from_re(at))
                 })
             };
-            let top = golden(sides, &mut |at| over(at).map(|(_, value)| value))?;
-            for at in [top, sides[0], sides[1]] {
-                let (place, found) = over(at)?;
-                if above(found, value) {
-                    (own, aside, value) = (place, at, found);
+            let sides = [(aside - step[1]).max(self.ends[0]), (aside + step[1]).min(self.ends[1])];
+            let mut upward = None;
+            for side in sides.into_iter().filter(|side| *side != aside) {
+                if above(over(aside + NEAR * (side - aside))?.1, value) {
+                    upward = Some(side);
+                }
+            }
+            if let Some(side) = upward {
+                let between = [aside.min(side), aside.max(side)];
+                let top = golden(between, &mut |at| over(at).map(|(_, value)| value))?;
+                for at in [top, side] {
+                    let (place, found) = over(at)?;
+                    if above(found, value) {
+                        (own, aside, value) = (place, at, found);
+                    }
                 }
             }
         }
