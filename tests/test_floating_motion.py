@@ -177,8 +177,25 @@ def test_against_an_independent_crane(tmp_path, standard, expected):
         assert np.abs(found["psi_sl"][at] - psi).max() < 1e-8
 
 
+DAMAGE = """
+[[hull.flooded]]
+mu_f = "0.9"
+l_f = "10 m"
+b_f = "8 m"
+d_f = "4.5 m"
+x_f = "-20 m"
+y_f = "-7 m"
+[hull.tow]
+F_p = "300 kN"
+chi_p = "20 deg"
+z_p = "5 m"
+z_lp = "1 m"
+"""
+
+
 def test_at_rest_it_is_the_static_crane(tmp_path):
-    """Before it slews nothing moves, at any angle and for a hull of sections too: draft, heel and trim of the equilibrium."""
+    """Before it slews nothing moves, at any angle, for a hull of sections and one with a flooded compartment under tow too: draft,
+    heel and trim of the equilibrium."""
     still = ('["5 s", "3 deg/s"], ["35 s", "0 deg/s"]', '["5 s", "0 deg/s"], ["35 s", "0 deg/s"]')
     sections = "".join(
         f'\n[[hull.sections]]\nx_h = "{x} m"\npoints = ["{bottom} m, 0 m", "{top} m, 2 m", "{top} m, 4.5 m"]\n'
@@ -187,7 +204,9 @@ def test_at_rest_it_is_the_static_crane(tmp_path):
     box = ('L     = "60 m"                # a box, whose middle is the origin\nB     = "24 m"\nD     = "4.5 m"\n', "")
     for i, psi in enumerate((0, 100, 215)):
         turn = ('l_R   = "20 m"', f'psi_sl = "{psi} deg"\nl_R = "20 m"')
-        for name, shape in (("Box", []), ("Sections", [box, ("[hull.pedestal]", sections + "\n[hull.pedestal]")])):
+        shapes = (("Box", []), ("Sections", [box, ("[hull.pedestal]", sections + "\n[hull.pedestal]")]),
+                  ("Damaged", [("[hull.pedestal]", DAMAGE + "\n[hull.pedestal]")]))
+        for name, shape in shapes:
             fmu = built(tmp_path, f"{name}{i}", still, turn, *shape)["FMI 3"]
             found = simulate_fmu(fmu, stop_time=60.0, output_interval=1.0, output=OUTPUTS)
             slopes = np.tan(found["theta_y"]) / np.cos(found["phi_x"])

@@ -13,7 +13,7 @@ use crate::component::scalar::Scalar;
 use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::{One, quantities};
-use crate::kernel::symbol::{Symbol, listed};
+use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::Fault;
 
 quantities! {
@@ -28,28 +28,12 @@ fn over<C: Calc, D: Calc>((on, all, place): &Heeling<C>, f: &mut dyn FnMut(C) ->
     (on.map(f), all.map(f), place.map(f))
 }
 
-/// To the side to which the hull heels under its load.
-struct UnderLoad;
+/// The heel at which an opening comes to the water: under the load, or when that is `LOST`.
+struct Flooding<const LOST: bool>;
 
-impl Finding<1> for UnderLoad {
+impl<const LOST: bool> Finding<1> for Flooding<LOST> {
     type From<C: Calc> = Heeling<C>;
-    const NAMES: [&'static Symbol; 1] = *listed!(s: PHI_O);
-
-    fn map<C: Calc, D: Calc>(from: &Heeling<C>, f: &mut dyn FnMut(C) -> D) -> Heeling<D> {
-        over(from, f)
-    }
-
-    fn find<C: Calc>(from: &Heeling<C>) -> Result<[C; 1], Fault> {
-        floods(from).map(|heel| [heel])
-    }
-}
-
-/// To the side to which it rolls when the load is lost.
-struct WithoutLoad;
-
-impl Finding<1> for WithoutLoad {
-    type From<C: Calc> = Heeling<C>;
-    const NAMES: [&'static Symbol; 1] = *listed!(s: PHI_O0);
+    const NAMES: [&'static Symbol; 1] = [if LOST { &s::PHI_O0 } else { &s::PHI_O }];
 
     fn map<C: Calc, D: Calc>(from: &Heeling<C>, f: &mut dyn FnMut(C) -> D) -> Heeling<D> {
         over(from, f)
@@ -147,8 +131,8 @@ pub fn flooding<C: Scalar>(
                 )));
             }
             let to = |end: f64| [x_o, y_o, z_o, heel, C::constant(end * FARTHEST)];
-            let [loaded_heel] = found::<UnderLoad, C, 1>(&(on.clone(), loaded.all, to(side)))?;
-            let [bare_heel] = found::<WithoutLoad, C, 1>(&(on.clone(), loaded.bare, to(-side)))?;
+            let [loaded_heel] = found::<Flooding<false>, C, 1>(&(on.clone(), loaded.all, to(side)))?;
+            let [bare_heel] = found::<Flooding<true>, C, 1>(&(on.clone(), loaded.bare, to(-side)))?;
             Ok(FloodedOpening {
                 height,
                 heels: [loaded_heel, bare_heel],
