@@ -302,7 +302,7 @@ def test_a_pontoon_with_raked_ends(tmp_path):
         assert found["e[5]"] == pytest.approx(hull.energy(math.radians(30.0)) - hull.energy(0.0), abs=1e-8)
 
 
-CASES = """
+DAMAGE = """
 [[hull.flooded]]
 mu_f = "0.95"
 l_f = "10 m"
@@ -321,7 +321,7 @@ z_lp = "1.1 m"
 def damaged(folder):
     """The scene with a flooded compartment, under tow."""
     path = folder / "damaged.toml"
-    text = SCENE.read_text(encoding="utf-8").replace("[hull.loss]", CASES + "[hull.loss]")
+    text = SCENE.read_text(encoding="utf-8").replace("[hull.loss]", DAMAGE + "[hull.loss]")
     text = text.replace('f_min     = "0.5 m"\n', "").replace("FloatingCraneStatic", "FloatingCraneDamaged")
     path.write_text(text, encoding="utf-8")
     return path

@@ -60,58 +60,52 @@ fn at(model: &mut Model, part: f64) {
     model.set(0, from + part * (to - from)).expect("within the range");
 }
 
-#[test]
-fn moments_of_wind_and_slope_are_those_of_the_same_case() {
+/// Every system at rest and, at level rigid with more keys of its dynamics, in motion: with all of the load, at places of the
+/// range, under the weather of each case, of which the number is told.
+fn in_every_case(more: &str, mut look: impl FnMut(&str, usize, [&mut Model; 2])) {
     for (name, text) in blown() {
-        let (mut still, mut moves) = (
-            model(&text.replace("\"0.8\"", "\"1\"")),
-            model(&moving(&text, "rigid", "")),
-        );
+        let mut still = model(&text.replace("\"0.8\"", "\"1\""));
+        let mut moves = model(&moving(&text, "rigid", more));
         for (case, (wind, slope)) in (1..).zip(WEATHER) {
             set(&mut moves, "v_wm", wind);
             set(&mut moves, "sigma_m", f64::to_radians(slope));
             for part in PARTS {
                 at(&mut still, part);
                 at(&mut moves, part);
-                for (moment, of_case) in [("M_wind", "M_r_wind"), ("M_slope", "M_r_slope")] {
-                    let wanted = get(&mut still, &format!("{of_case}[{case}]"));
-                    let found = get(&mut moves, moment);
-                    assert!(wanted != 0.0, "{name}");
-                    assert!(
-                        (found - wanted).abs() <= 1e-12 * wanted.abs(),
-                        "{name}: {found} {wanted}"
-                    );
-                }
+                look(&name, case, [&mut still, &mut moves]);
             }
         }
     }
 }
 
+#[test]
+fn moments_of_wind_and_slope_are_those_of_the_same_case() {
+    in_every_case("", |name, case, [still, moves]| {
+        for (moment, of_case) in [("M_wind", "M_r_wind"), ("M_slope", "M_r_slope")] {
+            let wanted = get(still, &format!("{of_case}[{case}]"));
+            let found = get(moves, moment);
+            assert!(wanted != 0.0, "{name}");
+            assert!(
+                (found - wanted).abs() <= 1e-12 * wanted.abs(),
+                "{name}: {found} {wanted}"
+            );
+        }
+    });
+}
+
 /// What friction and brake hold is the sum of the static moments of the same case; as a part of the load's.
 #[test]
 fn what_holds_a_mechanism_at_rest_is_the_sum_of_its_case() {
-    for (name, text) in blown() {
-        let (mut still, mut moves) = (
-            model(&text.replace("\"0.8\"", "\"1\"")),
-            model(&moving(&text, "rigid", "M_S = \"1e9 N.m\"")),
+    in_every_case("M_S = \"1e9 N.m\"", |name, case, [still, moves]| {
+        let parts = ["M_r_load", "M_r_wind", "M_r_slope"].map(|of| get(still, &format!("{of}[{case}]")));
+        let own = get(still, "M_r_own");
+        let size = parts.iter().fold(own.abs(), |most, part| most.max(part.abs()));
+        let (found, wanted) = (get(moves, "M_R"), -(own + parts.iter().sum::<f64>()));
+        assert!(
+            (found - wanted).abs() <= 1e-12 * size,
+            "{name}: {found} {wanted} of {size}"
         );
-        for (case, (wind, slope)) in (1..).zip(WEATHER) {
-            set(&mut moves, "v_wm", wind);
-            set(&mut moves, "sigma_m", f64::to_radians(slope));
-            for part in PARTS {
-                at(&mut still, part);
-                at(&mut moves, part);
-                let parts = ["M_r_load", "M_r_wind", "M_r_slope"].map(|of| get(&mut still, &format!("{of}[{case}]")));
-                let own = get(&mut still, "M_r_own");
-                let size = parts.iter().fold(own.abs(), |most, part| most.max(part.abs()));
-                let (found, wanted) = (get(&mut moves, "M_R"), -(own + parts.iter().sum::<f64>()));
-                assert!(
-                    (found - wanted).abs() <= 1e-12 * size,
-                    "{name}: {found} {wanted} of {size}"
-                );
-            }
-        }
-    }
+    });
 }
 
 /// A gust pushes a free mechanism as its moment says: by what it changes of the acceleration, over the inertia that a moment

@@ -56,7 +56,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
             row(draw, &[(&s::A_W, area), (&s::Z_W, height)])
         });
     }
-    cases(&mut n, weight, [long, broad, deep]);
+    damage(&mut n, weight, [long, broad, deep]);
     if n.has("openings") {
         list(&mut n, "openings", 2, &mut |draw, i| {
             let along = 0.5 * size * draw.between(-1.0, 1.0);
@@ -89,7 +89,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
 }
 
 /// A pull that is a small part of the weight (N), and a compartment that is one of a hull of a length, a breadth and a depth.
-fn cases(n: &mut Node, weight: f64, [long, broad, deep]: [f64; 3]) {
+fn damage(n: &mut Node, weight: f64, [long, broad, deep]: [f64; 3]) {
     if let Some(mut tow) = n.child("tow") {
         let pull = weight * tow.draw.between(0.0, 0.001);
         tow.set("F_p", pull);

@@ -24,10 +24,6 @@ quantities! {
 /// What floats, as it weighs; place of an opening (m), the heel from which the hull heels (rad) and one beyond it.
 type Heeling<C> = (Floating<C>, Weighed<C>, [C; 5]);
 
-fn over<C: Calc, D: Calc>((on, all, place): &Heeling<C>, f: &mut dyn FnMut(C) -> D) -> Heeling<D> {
-    (on.map(f), all.map(f), place.map(f))
-}
-
 /// The heel at which an opening comes to the water: under the load, or when that is `LOST`.
 struct Flooding<const LOST: bool>;
 
@@ -35,8 +31,8 @@ impl<const LOST: bool> Finding<1> for Flooding<LOST> {
     type From<C: Calc> = Heeling<C>;
     const NAMES: [&'static Symbol; 1] = [if LOST { &s::PHI_O0 } else { &s::PHI_O }];
 
-    fn map<C: Calc, D: Calc>(from: &Heeling<C>, f: &mut dyn FnMut(C) -> D) -> Heeling<D> {
-        over(from, f)
+    fn map<C: Calc, D: Calc>((on, all, place): &Heeling<C>, f: &mut dyn FnMut(C) -> D) -> Heeling<D> {
+        (on.map(f), all.map(f), place.map(f))
     }
 
     fn find<C: Calc>(from: &Heeling<C>) -> Result<[C; 1], Fault> {
@@ -58,12 +54,25 @@ fn height<C: Calc>(on: &Floating<C>, all: &Weighed<C>, [x, y, z]: [C; 3], heel: 
 }
 
 /// Heel at which an opening comes to the water, by amount (rad): the first one; infinite where none does.
+///
+/// # Errors
+/// It is under water at the heel from which the hull heels.
 #[inline(never)]
 fn floods<C: Calc>((on, all, [x, y, z, from, beyond]): &Heeling<C>) -> Result<C, Fault> {
     let plain = |x: C| Dual64::from_re(x.value());
     let (hull, weighed, place) = (on.map(&mut { plain }), all.map(&mut { plain }), [*x, *y, *z].map(plain));
     let high = |heel: f64| height(&hull, &weighed, place, Dual64::new(heel, 1.0));
     let side = (beyond.value() - from.value()).signum();
+    let above = high(from.value())?.re;
+    if above < 0.0 {
+        return Err(Fault::outside(format!(
+            "the opening at z_o = {} is {} under water at phi = {} when the load is lost; put it higher or nearer to the middle, or \
+             give less load or reach",
+            s::Z_O.written(z.value()),
+            s::F_O.written(-above),
+            s::PHI.written(from.value()),
+        )));
+    }
     let (mut near, mut far) = (from.value(), from.value());
     while high(far)?.re >= 0.0 {
         if side * far >= FARTHEST {

@@ -112,20 +112,10 @@ impl<C: Calc> Slipped<C> {
         } else {
             none.over(slip)
         };
-        if !run.moves {
-            let [spared, time, quickens] = [none.over(least); 3];
-            return Slipped {
-                at,
-                breakdown,
-                slip,
-                least,
-                spared,
-                time,
-                quickens,
-            };
-        }
         let starts = (least - run.against).value() > 0.0 && slip.value() > 0.0;
-        let (spared, time) = if starts {
+        let (spared, time) = if !run.moves {
+            (none.over(least), none.over(least))
+        } else if starts {
             let spared = spared(slip, at, run.against / breakdown).tabled(&s::I_S);
             let turning = C::constant(TAU) * start.n_0;
             (spared, (run.inertia * turning / breakdown * spared).def(&s::T_SLIP))
@@ -133,7 +123,11 @@ impl<C: Calc> Slipped<C> {
             let never = |symbol| C::known(symbol, f64::INFINITY).over(least - run.against);
             (never(&s::I_S), never(&s::T_SLIP))
         };
-        let quickens = (run.head / time).def(&s::A_SLIP);
+        let quickens = if run.moves {
+            (run.head / time).def(&s::A_SLIP)
+        } else {
+            none.over(least)
+        };
         Slipped {
             at,
             breakdown,
