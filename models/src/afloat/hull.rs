@@ -36,13 +36,15 @@ pub struct Offsets {
 }
 group!(Offsets);
 
-/// A tank: its walls, weight of its liquid for a volume (N/m³), volume of the liquid (m³), and its centre (m), the hull upright.
+/// A tank: its walls, weight of its liquid for a volume (N/m³), volume of the liquid (m³), its centre and the middle of its
+/// surface (m), the hull upright.
 #[derive(Clone, Debug)]
 pub struct BallastTank<C> {
     pub walls: Solid<C>,
     pub weight: C,
     pub volume: C,
     pub centre: [C; 3],
+    surface: [C; 3],
 }
 
 impl<C: Calc> BallastTank<C> {
@@ -50,7 +52,11 @@ impl<C: Calc> BallastTank<C> {
     /// (m⁴), and the second moments of the surface about its own centre (m⁴).
     pub fn leaning(&self, [a, b]: [C; 2]) -> ([C; 3], [C; 3]) {
         let slopes = [a.value(), b.value()];
-        let level = C::constant(self.walls.map(&mut |x| x.value()).level(slopes, self.volume.value()));
+        // Where the surface meets walls alone, it goes through the middle of the upright one.
+        let [x, y, z] = self.surface.map(|x| x.value());
+        let middle = z - slopes[0] * x - slopes[1] * y;
+        let walls = self.walls.map(&mut |x| x.value());
+        let level = C::constant(walls.level(slopes, self.volume.value(), middle));
         let found = self.walls.cut([level, a, b]);
         // A last step of Newton's method brings the derivatives.
         let level = level + (self.volume - found.volume) / found.area;
@@ -94,6 +100,7 @@ impl<C: Calc> Floating<C> {
                 weight: tank.rho_t * **gravity,
                 volume,
                 centre: [tank.x_t, tank.y_t, tank.z_t + half],
+                surface: [tank.x_t, tank.y_t, tank.z_t + tank.h_t],
             }
         };
         Ok(Floating {
@@ -121,6 +128,7 @@ impl<C: Calc> Floating<C> {
                     weight: f(tank.weight),
                     volume: f(tank.volume),
                     centre: tank.centre.map(&mut *f),
+                    surface: tank.surface.map(&mut *f),
                 })
                 .collect(),
             water: f(self.water),
@@ -186,6 +194,6 @@ impl Floating<f64> {
     /// As [`level`], of a volume (m³) that bears.
     #[must_use]
     pub fn level(&self, slopes: [f64; 2], volume: f64) -> f64 {
-        level(self.hull.heights(slopes), slopes, volume, |plane| self.cut(plane))
+        level(self.hull.heights(slopes), slopes, volume, None, |plane| self.cut(plane))
     }
 }

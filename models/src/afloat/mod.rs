@@ -34,6 +34,7 @@ mod drawing;
 pub mod driving;
 pub mod gust;
 pub mod head;
+pub mod heeling;
 pub mod holding;
 pub mod hull;
 pub mod levers;

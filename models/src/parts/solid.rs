@@ -34,8 +34,12 @@ const BOX: [Triangle; 12] = [
     [1, 7, 5],
 ];
 
-/// How near a level is found, as part of the solid's height: whoever needs more goes one step more of Newton's method.
-const NEAR: f64 = 1e-10;
+/// The corner of a triangle that is alone on its side of the plane, by bits of those below it.
+const ALONE: [usize; 8] = [0, 0, 1, 2, 2, 1, 0, 0];
+
+/// The last step to a level leaves the square of this, as part of the solid's height: whoever needs more goes one step more of
+/// Newton's method.
+const NEAR: f64 = 1e-6;
 
 /// A body that a plane cuts.
 #[derive(Clone, Debug)]
@@ -77,58 +81,63 @@ impl<C: Calc> Solid<C> {
         }
     }
 
-    /// Its corners from the plane, sheared, and its faces.
-    fn sheared(&self, [t, a, b]: [C; 3]) -> (Vec<[C; 3]>, &[Triangle]) {
+    /// Its corners from the plane, sheared, and its faces, for as long as they are asked for.
+    fn sheared<R>(&self, [t, a, b]: [C; 3], f: impl FnOnce(&[[C; 3]], &[Triangle]) -> R) -> R {
         let from = |[x, y, z]: [C; 3]| [x, y, z - t - a * x - b * y];
-        match self {
-            Solid::Box(points) => (points.iter().copied().map(from).collect(), &BOX),
-            Solid::Mesh(mesh) => {
-                let points = mesh.points.iter().map(|point| from(point.map(C::constant)));
-                (points.collect(), &mesh.faces)
+        let meshed: Vec<[C; 3]>;
+        let boxed: [[C; 3]; 8];
+        let (points, faces): (&[[C; 3]], &[Triangle]) = match self {
+            Solid::Box(points) => {
+                boxed = points.map(from);
+                (&boxed, &BOX)
             }
-        }
+            Solid::Mesh(mesh) => {
+                meshed = (mesh.points.iter()).map(|point| from(point.map(C::constant))).collect();
+                (&meshed, &mesh.faces)
+            }
+        };
+        f(points, faces)
     }
 
     /// Least and greatest height of a corner over the plane of these slopes through the origin.
     #[must_use]
     #[inline(never)]
     pub fn heights(&self, [a, b]: [C; 2]) -> [f64; 2] {
-        let (points, _) = self.sheared([C::constant(0.0), a, b]);
-        let heights = points.iter().map(|point| point[2].value());
-        heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], z| {
-            [low.min(z), high.max(z)]
+        self.sheared([C::constant(0.0), a, b], |points, _| {
+            let heights = points.iter().map(|point| point[2].value());
+            heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], z| {
+                [low.min(z), high.max(z)]
+            })
         })
     }
 
     /// What lies below the plane `z = t + a x + b y`.
     #[inline(never)]
     pub fn cut(&self, plane: [C; 3]) -> Cut<C> {
-        let (points, faces) = self.sheared(plane);
-        let mut found = Cut::nothing();
-        for face in faces {
-            let corners = face.map(|corner| points[usize::from(corner)]);
-            let wet = corners.map(|corner| corner[2].value() < 0.0);
-            let count = wet.into_iter().filter(|wet| *wet).count();
-            // The corner that is alone on its side comes first.
-            let first = wet.iter().position(|wet| *wet == (count == 1)).unwrap_or(0);
-            let [p, q, r] = [0, 1, 2].map(|i| corners[(first + i) % 3]);
-            match count {
-                0 => {}
-                1 => {
-                    let (u, v) = (met(p, q), met(p, r));
-                    found.piece([p, u, v]);
-                    found.side(v, u);
+        self.sheared(plane, |points, faces| {
+            let mut found = Cut::nothing();
+            for face in faces {
+                let wet = |i: usize| usize::from(points[usize::from(face[i])][2].value() < 0.0) << i;
+                let wet = wet(0) | wet(1) | wet(2);
+                let [p, q, r] = [0, 1, 2].map(|i| points[usize::from(face[(ALONE[wet] + i) % 3])]);
+                match wet.count_ones() {
+                    0 => {}
+                    1 => {
+                        let (u, v) = (met(p, q), met(p, r));
+                        found.piece([p, u, v]);
+                        found.side(v, u);
+                    }
+                    2 => {
+                        let (u, v) = (met(q, p), met(r, p));
+                        found.piece([u, q, r]);
+                        found.piece([u, r, v]);
+                        found.side(u, v);
+                    }
+                    _ => found.piece([p, q, r]),
                 }
-                2 => {
-                    let (u, v) = (met(q, p), met(r, p));
-                    found.piece([u, q, r]);
-                    found.piece([u, r, v]);
-                    found.side(u, v);
-                }
-                _ => found.piece([p, q, r]),
             }
-        }
-        found.done(plane)
+            found.done(plane)
+        })
     }
 }
 
@@ -136,21 +145,25 @@ impl Solid<f64> {
     /// As [`level`], of a volume (m³) of this solid.
     #[must_use]
     #[inline(never)]
-    pub fn level(&self, slopes: [f64; 2], volume: f64) -> f64 {
-        level(self.heights(slopes), slopes, volume, |plane| self.cut(plane))
+    pub fn level(&self, slopes: [f64; 2], volume: f64, from: f64) -> f64 {
+        level(self.heights(slopes), slopes, volume, Some(from), |plane| {
+            self.cut(plane)
+        })
     }
 }
 
 /// Level (m) of the plane of slopes below which a volume (m³) lies, to a part of the heights (m) between which it is sought:
-/// Newton's method between ends that close in. The whole, or nothing of it, where there is not as much.
+/// Newton's method from a level (m), or from the middle, between ends that close in. The whole, or nothing of it, where there is not as much.
 pub fn level(
     [mut low, mut high]: [f64; 2],
     [a, b]: [f64; 2],
     volume: f64,
+    from: Option<f64>,
     below: impl Fn([f64; 3]) -> Cut<f64>,
 ) -> f64 {
     let size = high - low;
-    let mut level = f64::midpoint(low, high);
+    let from = from.filter(|from| *from > low && *from < high);
+    let mut level = from.unwrap_or(f64::midpoint(low, high));
     for _ in 0..200 {
         let cut = below([level, a, b]);
         let short = volume - cut.volume;
