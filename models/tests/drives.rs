@@ -53,7 +53,7 @@ const SYSTEMS: [System; 3] = [
     },
 ];
 
-const KINDS: [&str; 5] = ["cylinder", "rack", "screw", "sector", "crank"];
+const KINDS: [&str; 6] = ["cylinder", "rack", "screw", "sector", "crank", "rope"];
 
 impl System {
     fn bare(&self) -> String {
@@ -86,6 +86,7 @@ impl System {
             "cylinder" => self.anchors() + "D_c = \"320 mm\"\nd_r = \"220 mm\"",
             "rack" => self.anchors() + "r_z = \"150 mm\"\neta_d = \"0.9\"",
             "screw" => self.anchors() + "d_2 = \"112 mm\"\np_h = \"14 mm\"\nmu_d = \"0.12\"\nbeta_d = \"15 deg\"",
+            "rope" => self.anchors() + "m_r = \"6\"\nr_tr = \"350 mm\"\neta_d = \"0.9\"",
             "sector" => "r_s = \"4 m\"\ndelta_s = \"100 deg\"\nr_z = \"150 mm\"\neta_d = \"0.95\"".to_owned(),
             _ => {
                 self.anchors()
@@ -150,7 +151,7 @@ fn the_work_of_every_drive_is_that_of_the_moment() {
             }
             assert!(close(by_force, by_moment, 1e-12), "{kind}: {by_force} {by_moment}");
             assert!(kind == "cylinder" || close(by_shaft, by_moment, 1e-12), "{kind}");
-            if ["cylinder", "rack", "screw"].contains(&kind) {
+            if ["cylinder", "rack", "screw", "rope"].contains(&kind) {
                 let [longer] = at(&mut model, to, ["L_d"]);
                 let [before] = at(&mut model, from, ["L_d"]);
                 assert!(
@@ -207,11 +208,25 @@ fn every_drive_by_hand() {
             let by_shaft = match kind {
                 "rack" | "sector" => force * 0.15,
                 "screw" => force * 0.014 / TAU,
+                "rope" => force * 0.35 / 6.0,
                 "crank" => force * cross(pin - e, joint - pin) / l,
                 _ => continue,
             };
             let [torque] = at(&mut model, angle, ["T_d"]);
             assert!(close(torque, by_shaft, 1e-12), "{kind}: {torque} {by_shaft}");
+            if kind == "rope" {
+                // Where it pulls, winding costs more than running out gives back; nothing wound pushes.
+                let pull = -force / 6.0;
+                let [out, back] = if pull > 0.0 {
+                    [pull * 0.9, pull / 0.9]
+                } else {
+                    [pull / 0.9, pull * 0.9]
+                };
+                let told = at(&mut model, angle, ["S_l", "S_l.out", "S_l.in", "T_d.out", "T_d.in"]);
+                for (told, by_hand) in told.into_iter().zip([pull, out, back, -out * 0.35, -back * 0.35]) {
+                    assert!(close(told, by_hand, 1e-12), "{told} {by_hand}");
+                }
+            }
         }
     }
 }
@@ -320,6 +335,36 @@ fn a_table_of_every_drive() {
     }
 }
 
+/// A rope behind a boom without a balance pulls all over its range; in front of it, it would have to push.
+#[test]
+fn a_rope_that_would_have_to_push() {
+    let trunk = &SYSTEMS[2];
+    let mut least = [0.0; 2];
+    for (least, [x, y]) in least.iter_mut().zip([[-3.7, 8.2], [6.0, -2.0]]) {
+        let text = System { e: [x, y], ..*trunk }.driven("rope");
+        let (balance, limits) = ("[luffing.balance]", "[luffing.limits]");
+        let [balance, limits] = [balance, limits].map(|table| text.find(table).expect("there"));
+        let text = format!("{}{}", &text[..balance], &text[limits..]);
+        let sheet = Scene::parse(&text).expect("legal").sheet();
+        let pulls = sheet
+            .checks()
+            .find(|check| check.id == "drive_pulls")
+            .expect("asked of every rope");
+        assert_eq!(pulls.passed(), pulls.value >= 0.0);
+        let [from, to] = trunk.range.map(f64::to_radians);
+        let mut model = model(&text);
+        let pull = |i: u32| at(&mut model, from + (to - from) * f64::from(i) / 500.0, ["S_l"])[0];
+        let by_scan = (0..=500).map(pull).fold(f64::INFINITY, f64::min);
+        assert!(
+            (pulls.value - by_scan).abs() <= 1e-4 * by_scan.abs(),
+            "{} {by_scan}",
+            pulls.value
+        );
+        *least = pulls.value;
+    }
+    assert!(least[0] > 0.0 && least[1] < 0.0, "{least:?}");
+}
+
 /// What a drive has too much or too little, what it does not reach, and where there is none.
 #[test]
 fn what_cannot_be_is_refused() {
@@ -358,6 +403,14 @@ fn what_cannot_be_is_refused() {
             "a limit lock_d",
         ),
         (moving, "at rest alone"),
+        (
+            guide.driven("rope").replace("m_r", "#"),
+            "`m_r` is missing in [luffing.drive] of the kind \"rope\"",
+        ),
+        (
+            guide.driven("rack").replace("r_z ", "r_tr = \"1 m\"\nr_z "),
+            "a rack has no r_tr, which is of a rope",
+        ),
         (format!("{ROPE}\n[luffing.drive]\nkind = \"rack\"\n"), "drive"),
     ] {
         let found = Scene::parse(&text).expect_err(said);

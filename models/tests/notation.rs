@@ -82,7 +82,7 @@ const TABLES: [(&str, &[&Symbol]); 38] = [
     ("A luffing mechanism that something carries", luffing::aboard::ALL),
     ("Gravity", gravity::ALL),
     ("The balance of the boom system", balance::symbols::ALL),
-    ("Screw, pinion or crank of a drive", drive::symbols::ALL),
+    ("Screw, pinion, crank or rope of a drive", drive::symbols::ALL),
     ("A cylinder with oil and valve", hydraulics::symbols::ALL),
     (
         "Steering, seen from above: x forward, y to the left, angles counter-clockwise from straight ahead",

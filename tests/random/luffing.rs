@@ -300,11 +300,12 @@ fn kind_of_drive(drive: &mut Node, bore: f64, [moves, oil]: [bool; 2]) {
     let kind = match cylinder {
         true => "cylinder",
         false if moves || drive.draw.coin(0.5) => "rack",
-        false => drive.draw.pick(&["screw", "sector", "crank"]),
+        false => drive.draw.pick(&["screw", "sector", "crank", "rope"]),
     };
     drive.put("kind", kind);
     drive.remove(&[
         "D_c", "d_r", "r_z", "eta_d", "d_2", "p_h", "mu_d", "beta_d", "r_s", "delta_s", "r_cr", "l_cr", "branch",
+        "m_r", "r_tr",
     ]);
     if cylinder {
         let thick = drive.draw.between(0.0, 0.8) * f64::from(drive.draw.coin(0.9));
@@ -319,7 +320,13 @@ fn kind_of_drive(drive: &mut Node, bore: f64, [moves, oil]: [bool; 2]) {
         let direction = drive.draw.angle();
         drive.set("delta_s", direction);
     }
-    if kind == "crank" {
+    if kind == "rope" {
+        let falls = drive.draw.between(1.0, 8.0).round();
+        drive.set("m_r", falls);
+        let drum = (bore * drive.draw.between(0.5, 3.0)).max(LEAST_LENGTH);
+        drive.set("r_tr", drum);
+    }
+    if ["crank", "rope"].contains(&kind) {
         let efficiency = drive.draw.between(0.5, 1.0);
         drive.set("eta_d", efficiency);
     }

@@ -109,7 +109,7 @@ const MOTION: &[Key] = &Motion::keys(
     &s::PSI_SL,
     (&s::OMEGA_SL, "Angular velocity of slewing."),
 );
-const LIMITS: &[Key] = &Limit::keys::<9>(OUTLINE.limits);
+const LIMITS: &[Key] = &Limit::keys::<10>(OUTLINE.limits);
 
 /// What the rates cost, in s.
 const COST: [f64; 2] = [1.5e-6, 0.0];

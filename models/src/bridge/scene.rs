@@ -78,7 +78,7 @@ const MOTION: &[Key] = &Motion::keys(
         "Speed of the trolley to the sea side, with which it passes through the working range.",
     ),
 );
-const LIMITS: &[Key] = &Limit::keys::<10>(OUTLINE.limits);
+const LIMITS: &[Key] = &Limit::keys::<11>(OUTLINE.limits);
 
 /// Keys that say something of the motion alone.
 const MOVING: [&str; 4] = ["x_t", "phi_R", "zeta_f", "dynamics"];

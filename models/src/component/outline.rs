@@ -188,7 +188,7 @@ impl Limit {
     /// The keys of the table in which a scene sets them, and where they come from.
     ///
     /// # Panics
-    /// With more limits of scenes than keys.
+    /// With another number of limits of scenes than keys.
     #[must_use]
     pub const fn keys<const KEYS: usize>(limits: &[Limit]) -> [Key; KEYS] {
         let mut keys = [SOURCE; KEYS];
@@ -201,6 +201,7 @@ impl Limit {
             }
             i += 1;
         }
+        assert!(at + 1 == KEYS, "a key for each limit of scenes, and the source");
         keys
     }
 }

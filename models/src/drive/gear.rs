@@ -2,6 +2,7 @@
 
 use crate::drive::screw::Screw;
 use crate::drive::symbols as s;
+use crate::drive::tackle::Tackle;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::group::{either, quantities};
 use crate::kernel::schema::Values;
@@ -17,22 +18,29 @@ quantities! {
     Direct { eta_d: ETA_D }
 }
 
-/// Screw, pinion or crank as it is given.
+/// Screw, pinion, crank or tackle as it is given.
 #[derive(Clone, Copy, Debug)]
 pub enum Gear<C> {
     Screw(Screw<C>),
     Pinion(Pinion<C>),
     Direct(Direct<C>),
+    Tackle(Tackle<C>),
 }
 
 impl<C: Copy> Gear<C> {
     /// Whether a drive of this kind has a result.
     #[must_use]
     pub fn has(&self, result: &'static Symbol) -> bool {
-        matches!(self, Gear::Screw(_)) || !listed!(s: LAMBDA_D, RHO_D, LOCK_D).contains(&result)
+        (matches!(self, Gear::Screw(_)) || !listed!(s: LAMBDA_D, RHO_D, LOCK_D).contains(&result))
+            && (matches!(self, Gear::Tackle(_)) || !listed!(s: S_L, S_L_OUT, S_L_IN, S_L_MAX).contains(&result))
     }
 }
-either!(Gear { Screw, Pinion, Direct });
+either!(Gear {
+    Screw,
+    Pinion,
+    Direct,
+    Tackle
+});
 
 impl Gear<f64> {
     /// Of the checked table of a drive of a kind, none where it does not say how it is turned. Mistakes go to `found`.
@@ -52,6 +60,7 @@ impl Gear<f64> {
             }
             "rack" | "sector" => Pinion::read(v).map(Gear::Pinion),
             "crank" => Direct::read(v).map(Gear::Direct),
+            "rope" => Tackle::read(v).map(Gear::Tackle),
             _ => None,
         }
     }

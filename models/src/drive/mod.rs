@@ -1,5 +1,5 @@
 //! A drive on any link that turns about a foot on the frame: a cylinder, a rack or a screw along a line, a pinion in a toothed
-//! sector, a crank with its rod; and what turns it. The mechanism tells where the link is, how fast it turns and which moment
+//! sector, a crank with its rod, a tackle; and what turns it. The mechanism tells where the link is, how fast it turns and which moment
 //! it needs, and takes the drive's force on it.
 //!
 //! | id | function | source |
@@ -8,6 +8,7 @@
 //! | `drive.screw` | [`screw::Thread::new`], [`screw::Screw::arms`] | Ports001, 5.3 |
 //! | `drive.sector` | [`sector::Sector::along`] | Ports001, 5.3 |
 //! | `drive.crank` | [`crank::CrankRod::at`] | Ports001, 5.3 |
+//! | `drive.tackle` | [`tackle::Tackle::arm`], [`tackle::Tackle::pulls`] | Ports001, 5.1 |
 //! | `drive.shaft` | [`shaft::Shaft::new`] | Ports001, 5.3 |
 
 pub mod checks;
@@ -23,4 +24,5 @@ pub mod screw;
 pub mod sector;
 pub mod shaft;
 pub mod symbols;
+pub mod tackle;
 pub mod way;

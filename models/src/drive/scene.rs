@@ -18,21 +18,23 @@ use crate::parts::plane::{self, Point};
 pub const DRIVE: Key = Key::part(
     "drive",
     KEYS,
-    "Cylinder, rack, screw, sector or crank that turns the driving link.",
+    "Cylinder, rack, screw, sector, crank or rope that turns the driving link.",
 );
 
 static KEYS: &[Key] = keys! { s:
     E_X [optional], E_Y [optional], S_D > 0 [optional], CHI_D [optional], D_C > 0 [optional], D_R >= 0 [optional];
     Key::new(
         "kind",
-        Kind::Choice(&["cylinder", "rack", "screw", "sector", "crank"]),
-        "A hydraulic cylinder, a rack that a pinion on the frame pushes, a screw with its nut, a toothed sector that a pinion turns, or a crank on the frame with its rod.",
+        Kind::Choice(&["cylinder", "rack", "screw", "sector", "crank", "rope"]),
+        "A hydraulic cylinder, a rack that a pinion on the frame pushes, a screw with its nut, a toothed sector that a pinion turns, a crank on the frame with its rod, or a tackle whose rope a drum on the frame winds.",
     ),
     CRANK_BRANCH.optional(),
     Key::quantity(&s::R_CR, Sign::Positive).optional(),
     Key::quantity(&s::L_CR, Sign::Positive).optional(),
     Key::quantity(&s::R_Z, Sign::Positive).optional(),
     Key::quantity(&s::ETA_D, Sign::Positive).optional(),
+    Key::quantity(&s::M_R, Sign::Positive).optional(),
+    Key::quantity(&s::R_TR, Sign::Positive).optional(),
     Key::quantity(&s::R_S, Sign::Positive).optional(),
     Key::quantity(&s::DELTA_S, Sign::Any).optional(),
     Key::quantity(&s::D_2, Sign::Positive).optional(),
@@ -42,10 +44,11 @@ static KEYS: &[Key] = keys! { s:
 };
 
 /// What only one kind of drive has.
-const OWN: [(&str, &[&Symbol]); 7] = [
+const OWN: [(&str, &[&Symbol]); 8] = [
     ("cylinder", listed!(s: D_C, D_R)),
     ("rack or sector", listed!(s: R_Z)),
-    ("rack, sector or crank", listed!(s: ETA_D)),
+    ("rack, sector, crank or rope", listed!(s: ETA_D)),
+    ("rope", listed!(s: M_R, R_TR)),
     ("crank", listed!(s: R_CR, L_CR)),
     ("screw", listed!(s: D_2, P_H, MU_D, BETA_D)),
     ("sector", listed!(s: R_S, DELTA_S)),
@@ -60,7 +63,7 @@ const CRANK_BRANCH: Key = Key::new(
 );
 
 /// What all but a sector have.
-const LINES: &str = "cylinder, rack, screw or crank";
+const LINES: &str = "cylinder, rack, screw, crank or rope";
 const LINE: &[&Symbol] = listed!(s: E_X, E_Y, S_D, CHI_D);
 
 /// The drive, as far as the scene says it.
@@ -171,6 +174,7 @@ fn all_of_it(d: &Values, found: &mut Vec<Diagnostic>) {
         "sector" => listed!(s: R_S, DELTA_S, R_Z, ETA_D),
         "rack" if pinion => listed!(s: R_Z, ETA_D),
         "crank" => listed!(s: R_CR, L_CR, ETA_D),
+        "rope" => listed!(s: M_R, R_TR, ETA_D),
         _ => &[],
     };
     let line = if kind == "sector" { &[] } else { LINE };
@@ -247,8 +251,8 @@ pub fn fits(
         found.push(d.refuse(key, what, "not at this level", help));
     }
     let Some(limits) = v.table("limits") else { return };
-    let torques = listed!(s: T_D_OUT_MAX, T_D_IN_MAX);
-    for symbol in listed!(s: LOCK_D, T_D_OUT_MAX, T_D_IN_MAX)
+    let torques = listed!(s: T_D_OUT_MAX, T_D_IN_MAX, S_L_MAX);
+    for symbol in listed!(s: LOCK_D, T_D_OUT_MAX, T_D_IN_MAX, S_L_MAX)
         .iter()
         .filter(|symbol| limits.has(symbol.id))
     {

@@ -9,6 +9,7 @@ use crate::component::stages::results;
 use crate::drive::gear::{Direct, Gear, Pinion};
 use crate::drive::screw::Thread;
 use crate::drive::symbols as s;
+use crate::drive::tackle::Tackle;
 use crate::kernel::calc::Calc;
 use crate::kernel::symbol::Symbol;
 
@@ -19,8 +20,10 @@ pub struct Gearing<C> {
     turn: C,
     /// Torque, in N·m, for one newton: without friction, one that the motion works against, one that drives it.
     arms: [C; 3],
-    /// A pinion has none.
+    /// Of a screw.
     thread: Option<Thread<C>>,
+    /// Of a drum.
+    tackle: Option<Tackle<C>>,
 }
 results! { Gearing as g => {
     LAMBDA_D: g.thread.map_or(C::constant(0.0), |thread| thread.lambda);
@@ -40,11 +43,16 @@ impl<C: Calc> Gearing<C> {
                     turn: screw.p_h,
                     arms: [screw.p_h / tau, against, with],
                     thread: Some(thread),
+                    tackle: None,
                 }
             }
             Gear::Pinion(Pinion { r_z, eta_d }) => Gearing::with_arm(*r_z, *eta_d),
             // One metre long: its arm follows from the position.
             Gear::Direct(Direct { eta_d }) => Gearing::with_arm(C::constant(1.0), *eta_d),
+            Gear::Tackle(tackle) => Gearing {
+                tackle: Some(*tackle),
+                ..Gearing::with_arm(tackle.arm(), tackle.eta_d)
+            },
         }
     }
 
@@ -53,6 +61,7 @@ impl<C: Calc> Gearing<C> {
             turn: C::constant(TAU) * arm,
             arms: [arm, arm / eta, arm * eta],
             thread: None,
+            tackle: None,
         }
     }
 
@@ -67,7 +76,7 @@ impl<C: Calc> Gearing<C> {
         Gearing {
             turn: self.turn * longer,
             arms: self.arms.map(|arm| arm * longer),
-            thread: self.thread,
+            ..*self
         }
     }
 }
@@ -78,13 +87,23 @@ pub struct Shaft<C> {
     n: C,
     /// Without friction, while the drive lengthens and while it shortens, in N·m.
     torques: [C; 3],
+    /// The same of the pull of a rope at its drum, in N.
+    pulls: Option<[C; 3]>,
 }
 results! { Shaft as t => {
+    S_L: pull(t, 0);
+    S_L_OUT: pull(t, 1);
+    S_L_IN: pull(t, 2);
     N_D: t.n;
     T_D: t.torques[0];
     T_D_OUT: t.torques[1];
     T_D_IN: t.torques[2];
 } }
+
+/// A pull of its rope, of a shaft that has one.
+fn pull<C: Calc>(shaft: &Shaft<C>, which: usize) -> C {
+    shaft.pulls.map_or(C::constant(0.0), |pulls| pulls[which])
+}
 
 impl<C: Calc> Shaft<C> {
     /// Under a force `f_d` (N, push positive) at a speed `v_d` (m/s, lengthening positive): T_d ω_d = F_d v_d without
@@ -115,6 +134,7 @@ impl<C: Calc> Shaft<C> {
                 torque(out, &s::T_D_OUT),
                 torque(back, &s::T_D_IN),
             ],
+            pulls: gearing.tackle.map(|tackle| tackle.pulls(f_d)),
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Every quantity of a drive: where it takes hold, its line and force, its screw, pinion, sector or crank.
+//! Every quantity of a drive: where it takes hold, its line and force, its screw, pinion, sector, crank or rope.
 
 use crate::kernel::symbol::{Range, symbols};
 
@@ -16,7 +16,10 @@ symbols! {
     MU_D: "mu_d" "mu_d" ONE / ONE [not_negative], "Friction between screw and nut.", "[Ports001, 5.3]";
     BETA_D: "beta_d" "beta_d" RAD / DEG [within(Range::new(0.0, 1.0))], "Angle of the thread's flank from square to the screw's axis: 15 deg trapezoidal, 0 square.", "[Ports001, 5.3]";
     R_Z: "r_z" "r_z" M / MM [positive], "Pitch radius of the pinion that pushes the rack or turns the sector.", "[Ports001, 5.3]";
-    ETA_D: "eta_d" "eta_d" ONE / ONE [within(Range::new(0.0, 1.0).above())], "Efficiency of the pinion and what it drives, or of a crank.", "[Ports001, 5.3]";
+    ETA_D: "eta_d" "eta_d" ONE / ONE [within(Range::new(0.0, 1.0).above())], "Efficiency of the pinion and what it drives, of a crank, or of the luffing tackle with its drum.", "[Ports001, 5.3]";
+
+    M_R: "m_r" "m_r" ONE / ONE [positive], "Falls of the luffing tackle.", "[Ports001, 5.1]";
+    R_TR: "r_tr" "r_(t r)" M / MM [positive], "Radius of the drum of the luffing rope, to the rope's middle.", "[Ports001, 5.1]";
 
     R_S: "r_s" "r_s" M / M [positive], "Pitch radius of the toothed sector, about the foot of the driving link.", "[Ports001, 5.3]";
     DELTA_S: "delta_s" "delta_s" RAD / DEG, "Direction from the foot of the driving link to the pinion in the sector.", "[Ports001, 5.3]";
@@ -69,13 +72,20 @@ symbols! {
     LOCK_D: "lock_d" "Delta rho_d" RAD / DEG, "Angle of friction less lead angle: where positive the screw locks itself.", "[Ports001, 5.3]";
 
     // Shaft.
-    N_D: "n_d" "n_d" PER_S / PER_MIN [infinite("at a dead point of the crank")], "Speed of the screw or pinion, positive where the drive lengthens; of a crank counter-clockwise.", "[Ports001, 5.3]";
-    T_D: "T_d" "T_d" N_M / KN_M [infinite("where the drive points at the foot of its bar")], "Torque of the screw or pinion without friction, positive where it lengthens the drive; of a crank counter-clockwise.", "[Ports001, 5.3]";
-    T_D_OUT: "T_d.out" "T_(d, arrow.r)" N_M / KN_M [infinite("where the drive points at the foot of its bar")], "Torque of the screw or pinion while the drive lengthens, or of a crank while its rod goes towards the driving link; signs as without friction.", "[Ports001, 5.3]";
-    T_D_IN: "T_d.in" "T_(d, arrow.l)" N_M / KN_M [infinite("where the drive points at the foot of its bar")], "Torque of the screw or pinion while the drive shortens, or of a crank while its rod goes away from the driving link; signs as without friction.", "[Ports001, 5.3]";
+    N_D: "n_d" "n_d" PER_S / PER_MIN [infinite("at a dead point of the crank")], "Speed of the screw, pinion or drum, positive where the drive lengthens; of a crank counter-clockwise.", "[Ports001, 5.3]";
+    T_D: "T_d" "T_d" N_M / KN_M [infinite("where the drive points at the foot of its bar")], "Torque of the screw, pinion or drum without friction, positive where it lengthens the drive; of a crank counter-clockwise.", "[Ports001, 5.3]";
+    T_D_OUT: "T_d.out" "T_(d, arrow.r)" N_M / KN_M [infinite("where the drive points at the foot of its bar")], "Torque of the screw, pinion or drum while the drive lengthens, or of a crank while its rod goes towards the driving link; signs as without friction.", "[Ports001, 5.3]";
+    T_D_IN: "T_d.in" "T_(d, arrow.l)" N_M / KN_M [infinite("where the drive points at the foot of its bar")], "Torque of the screw, pinion or drum while the drive shortens, or of a crank while its rod goes away from the driving link; signs as without friction.", "[Ports001, 5.3]";
+
+    // Rope.
+    S_L: "S_l" "S_l" N / KN [infinite("where the drive points at the foot of its bar")], "Pull of the luffing rope, without friction; a rope cannot give a negative one.", "[Ports001, 5.1]";
+    S_L_OUT: "S_l.out" "S_(l, arrow.r)" N / KN [infinite("where the drive points at the foot of its bar")], "Pull of the luffing rope at its drum while the tackle lengthens.", "[Ports001, 5.1]";
+    S_L_IN: "S_l.in" "S_(l, arrow.l)" N / KN [infinite("where the drive points at the foot of its bar")], "Pull of the luffing rope at its drum while the tackle shortens.", "[Ports001, 5.1]";
 
     // The whole range of motion.
     F_D_MAX: "F_d_max" "F_(d,max)" N / KN [infinite("where the drive points at the foot of its bar")], "Greatest force of the drive in the working range, by amount; push positive.", "equilibrium";
-    T_D_OUT_MAX: "T_d_out_max" "T_(d arrow.r,max)" N_M / KN_M [infinite("where the drive points at the foot of its bar")], "Greatest torque of the screw, pinion or crank in the working range, by amount, while the drive lengthens.", "derived";
-    T_D_IN_MAX: "T_d_in_max" "T_(d arrow.l,max)" N_M / KN_M [infinite("where the drive points at the foot of its bar")], "Greatest torque of the screw, pinion or crank in the working range, by amount, while the drive shortens.", "derived";
+    T_D_OUT_MAX: "T_d_out_max" "T_(d arrow.r,max)" N_M / KN_M [infinite("where the drive points at the foot of its bar")], "Greatest torque of the screw, pinion, drum or crank in the working range, by amount, while the drive lengthens.", "derived";
+    T_D_IN_MAX: "T_d_in_max" "T_(d arrow.l,max)" N_M / KN_M [infinite("where the drive points at the foot of its bar")], "Greatest torque of the screw, pinion, drum or crank in the working range, by amount, while the drive shortens.", "derived";
+    S_L_MIN: "S_l_min" "S_(l,min)" N / KN [infinite("where the drive points at the foot of its bar")], "Least pull of the luffing rope in the working range, without friction.", "derived";
+    S_L_MAX: "S_l_max" "S_(l,max)" N / KN [infinite("where the drive points at the foot of its bar")], "Greatest pull of the luffing rope at its drum in the working range, while the tackle shortens.", "derived";
 }

@@ -88,7 +88,7 @@ const MOTION: &[Key] = &Motion::keys(
         "Acceleration of the trolley to the sea side, with which it passes through the working range.",
     ),
 );
-const LIMITS: &[Key] = &Limit::keys::<5>(OUTLINE.limits);
+const LIMITS: &[Key] = &Limit::keys::<6>(OUTLINE.limits);
 
 /// What the rates cost, in s.
 const COST: [f64; 2] = [0.15e-6, 0.0];

@@ -73,7 +73,7 @@ pub const OUTLINE: Outline = Outline {
         ("trunk_wrap", None, &s::W),
         ("trunk_tie", None, &s::N_T),
     ],
-    extremes: &joined::<_, 15, 31, 46>(
+    extremes: &joined::<_, 17, 31, 48>(
         [
             Greatest::new(&s::R_MAX, Most::Greatest, &s::R),
             Greatest::new(&s::R_MIN, Most::Least, &s::R),
@@ -86,6 +86,8 @@ pub const OUTLINE: Outline = Outline {
             o::FORCE_MAX,
             o::TORQUE_OUT_MAX,
             o::TORQUE_IN_MAX,
+            o::PULL_MIN,
+            o::PULL_MAX,
             Greatest::new(&s::N_T_MAX, Most::Greatest, &s::N_T),
             Greatest::new(&s::N_T_MIN, Most::Least, &s::N_T),
             Greatest::new(&s::Q_T_MAX, Most::Greatest, &s::Q_T),
@@ -106,7 +108,7 @@ pub const OUTLINE: Outline = Outline {
         &s::N_T_MAX,
         &b::DM_MAX,
     ],
-    limits: &joined::<_, 14, 19, 33>(
+    limits: &joined::<_, 16, 19, 35>(
         [
             Limit::at_most("level_error", &s::EPSILON_Y),
             Limit::at_least("trunk_transmission", &s::MU_MIN),
@@ -118,6 +120,8 @@ pub const OUTLINE: Outline = Outline {
             o::LOCKS,
             o::TORQUE_OUT,
             o::TORQUE_IN,
+            o::PULLS,
+            o::PULL,
             Limit::at_most("balance_residual", &b::DM_MAX),
             Limit::at_least("balance_transmission", &b::GAMMA_MIN),
             Limit::at_most("balance_rod", &b::N_MAX),

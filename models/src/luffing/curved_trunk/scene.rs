@@ -128,7 +128,7 @@ static DYNAMICS: &[Key] = &dynamics::<18>(&[
 
 const INERTIAS: &[&Symbol] = listed!(s: J_B, J_T);
 
-const LIMITS: &[Key] = &Limit::keys::<28>(OUTLINE.limits);
+const LIMITS: &[Key] = &Limit::keys::<29>(OUTLINE.limits);
 
 /// A boom with a curved trunk as the scene describes it; SI.
 #[derive(Clone, Debug)]

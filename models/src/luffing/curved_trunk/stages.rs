@@ -160,7 +160,7 @@ impl Component for CurvedTrunkBoom {
     const PORTS: &'static [Port] = ports! { s:
         head "Head A of the trunk, where the load hangs.": x A_X, y A_Y, v_x V_AX, v_y V_AY, f Q;
         tie "Tie on the tail.": w W, f N_T;
-        drive "Cylinder, rack, screw, sector or crank between frame and boom.": s L_D, v V_D, f F_D, q Q_D;
+        drive "Cylinder, rack, screw, sector, crank or rope between frame and boom.": s L_D, v V_D, f F_D, q Q_D;
     };
 
     /// A balance has what its kind has, and so has a drive.

@@ -89,7 +89,7 @@ pub static WEIGHTS: &[Key] = keys! { s:
     G_1 [or_mass], S_1 >= 0, CHI_1, G_2 [or_mass], S_2 >= 0, CHI_2, G_3 [or_mass], S_3 >= 0, CHI_3
 };
 
-const LIMITS: &[Key] = &Limit::keys::<24>(OUTLINE.limits);
+const LIMITS: &[Key] = &Limit::keys::<25>(OUTLINE.limits);
 
 static PUBLISHED: &[Key] = &[
     Key::new("source", Kind::Text, "Where the values are printed."),

@@ -89,7 +89,7 @@ pub const OUTLINE: Outline = Outline {
         ("li2022_fig_7", None, &s::V_AX),
         ("li2022_fig_8", None, &s::M_Q),
     ],
-    extremes: &joined::<_, 10, 31, 41>(
+    extremes: &joined::<_, 12, 31, 43>(
         [
             Greatest::new(&s::R_MAX, Most::Greatest, &s::R),
             Greatest::new(&s::R_MIN, Most::Least, &s::R),
@@ -101,6 +101,8 @@ pub const OUTLINE: Outline = Outline {
             o::FORCE_MAX,
             o::TORQUE_OUT_MAX,
             o::TORQUE_IN_MAX,
+            o::PULL_MIN,
+            o::PULL_MAX,
         ],
         EXTREMES,
     ),
@@ -125,7 +127,7 @@ pub const OUTLINE: Outline = Outline {
         &b::DM_MAX,
         &b::N_MAX,
     ],
-    limits: &joined::<_, 9, 19, 28>(
+    limits: &joined::<_, 11, 19, 30>(
         [
             Limit::at_least("transmission_angle", &s::MU_MIN),
             Limit::at_most("level_error", &s::EPSILON_Y),
@@ -135,6 +137,8 @@ pub const OUTLINE: Outline = Outline {
             o::LOCKS,
             o::TORQUE_OUT,
             o::TORQUE_IN,
+            o::PULLS,
+            o::PULL,
             Limit::at_most("motion_swing", &m::PHI_MAX),
         ],
         LIMITS,

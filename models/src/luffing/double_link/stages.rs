@@ -182,7 +182,7 @@ impl Component for DoubleLink {
         head "Head A of the jib, where the load hangs.": x A_X, y A_Y, v_x V_AX, v_y V_AY, f Q;
         shaft "Foot of the driving link, where a moment drives it." [phi w]:
             phi THETA_1, w OMEGA_1, phi THETA_3, w OMEGA_3, tau M_D;
-        drive "Cylinder, rack, screw, sector or crank between frame and driving link.": s L_D, v V_D, f F_D, q Q_D;
+        drive "Cylinder, rack, screw, sector, crank or rope between frame and driving link.": s L_D, v V_D, f F_D, q Q_D;
     };
 
     const INDICATORS: &'static [&'static Symbol] = &INDICATORS;

@@ -63,7 +63,7 @@ pub const OUTLINE: Outline = Outline {
         ("ellipsograph_guide", None, &s::F_BX),
         ("ellipsograph_link", None, &s::N_L),
     ],
-    extremes: &joined::<_, 10, 31, 41>(
+    extremes: &joined::<_, 12, 31, 43>(
         [
             Greatest::new(&s::R_MAX, Most::Greatest, &s::R),
             Greatest::new(&s::R_MIN, Most::Least, &s::R),
@@ -73,6 +73,8 @@ pub const OUTLINE: Outline = Outline {
             o::FORCE_MAX,
             o::TORQUE_OUT_MAX,
             o::TORQUE_IN_MAX,
+            o::PULL_MIN,
+            o::PULL_MAX,
             Greatest::new(&s::F_B_MAX, Most::Amount, &s::F_BX),
             Greatest::new(&s::N_L_MAX, Most::Amount, &s::N_L),
         ],
@@ -98,7 +100,7 @@ pub const OUTLINE: Outline = Outline {
         &s::N_L_MAX,
         &b::DM_MAX,
     ],
-    limits: &joined::<_, 11, 19, 30>(
+    limits: &joined::<_, 13, 19, 32>(
         [
             Limit::at_most("level_error", &s::EPSILON_Y),
             Limit::at_most("ellipsograph_drive", &s::M_D_MAX),
@@ -107,6 +109,8 @@ pub const OUTLINE: Outline = Outline {
             o::LOCKS,
             o::TORQUE_OUT,
             o::TORQUE_IN,
+            o::PULLS,
+            o::PULL,
             Limit::at_most("balance_residual", &b::DM_MAX),
             Limit::at_least("balance_transmission", &b::GAMMA_MIN),
             Limit::at_most("balance_rod", &b::N_MAX),

@@ -95,7 +95,7 @@ static DYNAMICS: &[Key] = &dynamics::<18>(&[
 
 const INERTIAS: &[&Symbol] = listed!(s: J_B, J_L);
 
-const LIMITS: &[Key] = &Limit::keys::<26>(OUTLINE.limits);
+const LIMITS: &[Key] = &Limit::keys::<27>(OUTLINE.limits);
 
 /// A boom on guide and link as the scene describes it; SI.
 #[derive(Clone, Debug)]

@@ -152,7 +152,7 @@ impl Component for EllipsographBoom {
     const PORTS: &'static [Port] = ports! { s:
         head "Head A of the boom, where the load hangs.": x A_X, y A_Y, v_x V_AX, v_y V_AY, f Q;
         foot "Foot B of the boom in its guide.": y B_Y, v_y V_B, f F_BX;
-        drive "Cylinder, rack, screw, sector or crank between frame and link.": s L_D, v V_D, f F_D, q Q_D;
+        drive "Cylinder, rack, screw, sector, crank or rope between frame and link.": s L_D, v V_D, f F_D, q Q_D;
     };
 
     /// A balance has what its kind has, and so has a drive.
