@@ -48,6 +48,21 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
             row(draw, &[(&s::A_W, area), (&s::H_W, height)])
         });
     }
+    if let Some(mut hopper) = n.child("hopper") {
+        let full = weight * hopper.draw.between(0.01, 0.3);
+        let part = hopper.draw.between(0.0, 1.0);
+        let [x, y] = [0, 1].map(|_| size * hopper.draw.between(-0.05, 0.05));
+        let own = weight * hopper.draw.between(0.0, 0.2);
+        for (name, value) in [
+            ("G_h0", own),
+            ("x_h", x),
+            ("y_h", y),
+            ("Q_h", part * full),
+            ("Q_hf", full),
+        ] {
+            hopper.set(name, value);
+        }
+    }
     travel(&mut n);
     working_range(&mut n, [-PI, PI]);
     table

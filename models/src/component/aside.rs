@@ -2,7 +2,8 @@
 
 use num_dual::Dual64;
 
-use crate::component::extreme::{Extreme, GRID, Looked, golden, peak, turn};
+use crate::component::extreme::{Extreme, GRID, Looked, peak};
+use crate::component::ridge::{Field, Over, above, climbed};
 use crate::component::stages::{Slot, Source};
 use crate::component::standing::Standing;
 use crate::kernel::symbol::Symbol;
@@ -12,7 +13,7 @@ use crate::parts::motion::Motion;
 #[derive(Clone, Copy, Debug)]
 pub struct Aside {
     pub symbol: &'static Symbol,
-    pub range: Motion,
+    pub range: [f64; 2],
 }
 
 /// An extreme over the coordinate, and over the second one, of which its own value is named where the result follows from it.
@@ -32,22 +33,23 @@ pub(super) struct Beside {
 /// What a value changes by in one step at least where it has a corner, over the value.
 const RIDGE: f64 = 1e-6;
 
-/// Where it is looked at which way a ridge rises, as a part of the step to both sides.
-const NEAR: f64 = 1e-3;
-
 /// Parts of the range of the second coordinate between two places.
-const PARTS: u32 = 24;
+const PARTS: u32 = 16;
 
 impl Beside {
     /// `None` of a model without the input.
     pub fn new(model: &Standing, aside: &Aside) -> Option<Beside> {
         let known = model.part().sources();
         let (source, _) = known.into_iter().find(|(_, (symbol, _))| *symbol == aside.symbol)?;
-        let all = (0..=PARTS).map(|i| aside.range.at(f64::from(i) / f64::from(PARTS)));
+        let here = model.part().take(source);
+        let [from, to] = aside.range;
+        let part = |i: u32| f64::from(i) / f64::from(PARTS);
+        let all = (0..=PARTS).map(|i| from * (1.0 - part(i)) + to * part(i));
+        let others = all.filter(|place| *place != here);
         Some(Beside {
             source,
-            places: std::iter::once(model.part().take(source)).chain(all).collect(),
-            ends: [aside.range.from, aside.range.to],
+            places: std::iter::once(here).chain(others).collect(),
+            ends: aside.range,
         })
     }
 
@@ -55,16 +57,18 @@ impl Beside {
         slot.sources & (1 << self.source.group) != 0
     }
 
-    /// The greatest value of `f` over the coordinate's range and this one's, from the best of the places looked at: along one
+    /// Which of the places has the best of a row of values.
+    pub fn best<'a>(rows: impl Iterator<Item = &'a Looked>, of: impl Fn(f64) -> f64) -> usize {
+        let best = |row: &Looked| row.iter().fold(f64::NEG_INFINITY, |most, value| most.max(of(value.re)));
+        let each: Vec<f64> = rows.map(best).collect();
+        (1..each.len()).fold(0, |most, i| if above(each[i], each[most]) { i } else { most })
+    }
+
+    /// The greatest value of `f` over the coordinate's range and this one's, from the best row of the places looked at: along one
     /// of the two after the other, each step to where the exact derivative changes its sign, until nothing is gained, and along a
     /// ridge to its top. A result that is the same all over the range is that of the first place.
-    pub fn greatest(&self, motion: &Motion, looked: &[Looked], f: &mut Over<'_>) -> Option<Peak> {
-        let best = |looked: &Looked| looked.iter().fold(f64::NEG_INFINITY, |most, value| most.max(value.re));
-        let each: Vec<f64> = looked.iter().map(best).collect();
-        let first = (1..each.len()).fold(0, |most, i| if above(each[i], each[most]) { i } else { most });
-        let start = peak(motion, &looked[first], &mut |at| {
-            f(at, Dual64::from_re(self.places[first]))
-        })?;
+    pub fn greatest(&self, motion: &Motion, (first, looked): (usize, &Looked), f: &mut Over<'_>) -> Option<Peak> {
+        let start = peak(motion, looked, &mut |at| f(at, Dual64::from_re(self.places[first])))?;
         let (mut own, mut aside, mut value) = (start.at, self.places[first], start.value);
         let step = [
             (motion.to.min(motion.from + motion.period) - motion.from) / GRID as f64,
@@ -91,28 +95,13 @@ impl Beside {
         let inside = own > motion.from && own < motion.to && value.is_finite();
         let steep = f(Dual64::new(own, 1.0), Dual64::from_re(aside))?.eps.abs();
         if inside && steep * step[0] > RIDGE * value.abs() {
-            let start = own;
-            let mut over = |at: f64| {
-                settled(start, [motion.from, motion.to], step[0], &mut |own| {
-                    f(own, Dual64::from_re(at))
-                })
+            let field = Field {
+                ends: [[motion.from, motion.to], self.ends],
+                steps: step,
             };
-            let sides = [(aside - step[1]).max(self.ends[0]), (aside + step[1]).min(self.ends[1])];
-            let mut upward = None;
-            for side in sides.into_iter().filter(|side| *side != aside) {
-                if above(over(aside + NEAR * (side - aside))?.1, value) {
-                    upward = Some(side);
-                }
-            }
-            if let Some(side) = upward {
-                let between = [aside.min(side), aside.max(side)];
-                let top = golden(between, &mut |at| over(at).map(|(_, value)| value))?;
-                for at in [top, side] {
-                    let (place, found) = over(at)?;
-                    if above(found, value) {
-                        (own, aside, value) = (place, at, found);
-                    }
-                }
+            let top = field.crest(own, aside, f).and_then(|crest| field.top(crest, f));
+            if let Some(top) = top.filter(|top| above(top.value, value)) {
+                (own, aside, value) = (top.own, top.aside, top.value);
             }
         }
         Some(Peak {
@@ -120,37 +109,4 @@ impl Beside {
             aside: Some(aside),
         })
     }
-}
-
-/// A result by the coordinate and by the second one.
-pub(super) type Over<'a> = dyn FnMut(Dual64, Dual64) -> Option<Dual64> + 'a;
-
-/// Whether a value is more than another by what rounding does not make of one.
-fn above(value: f64, other: f64) -> bool {
-    value > other && (!other.is_finite() || value - other > 8.0 * f64::EPSILON * other.abs())
-}
-
-/// From a place upward, step by step, until nothing is gained: where that is, and the value there.
-fn settled(from: f64, ends: [f64; 2], step: f64, f: &mut dyn FnMut(Dual64) -> Option<Dual64>) -> Option<(f64, f64)> {
-    let (mut at, mut value) = (from, f(Dual64::from_re(from))?.re);
-    while let Some((place, found)) = climbed(at, ends, step, f)
-        && above(found, value)
-    {
-        (at, value) = (place, found);
-    }
-    Some((at, value))
-}
-
-/// Where `f` rises no more within a step to both sides of a place, and its value there.
-fn climbed(from: f64, ends: [f64; 2], step: f64, f: &mut dyn FnMut(Dual64) -> Option<Dual64>) -> Option<(f64, f64)> {
-    let sides = [(from - step).max(ends[0]), (from + step).min(ends[1])];
-    let mut slope = |at: f64| Some(f(Dual64::new(at, 1.0))?.eps);
-    let slopes = [slope(sides[0])?, slope(sides[1])?];
-    let at = match slopes.map(|slope| slope > 0.0) {
-        [true, false] => turn(sides, slopes, |_| false, f)?[0],
-        [true, true] => sides[1],
-        [false, false] => sides[0],
-        [false, true] => return None,
-    };
-    Some((at, f(Dual64::from_re(at))?.re))
 }

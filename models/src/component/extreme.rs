@@ -161,7 +161,7 @@ pub fn greatest_amount(motion: &Motion, f: &mut dyn FnMut(Dual64) -> Option<Dual
 }
 
 /// Where a value is greatest between two places, by golden section.
-pub(super) fn golden([mut low, mut high]: [f64; 2], f: &mut dyn FnMut(f64) -> Option<f64>) -> Option<f64> {
+fn golden([mut low, mut high]: [f64; 2], f: &mut dyn FnMut(f64) -> Option<f64>) -> Option<f64> {
     const STEPS: u32 = 60;
     let golden = (5.0_f64.sqrt() - 1.0) / 2.0;
     for _ in 0..STEPS {

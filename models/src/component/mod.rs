@@ -27,6 +27,7 @@ pub mod peaks;
 pub mod places;
 pub mod probe;
 pub mod ride;
+mod ridge;
 pub mod running;
 pub mod scalar;
 pub mod sensitivity;

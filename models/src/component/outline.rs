@@ -98,14 +98,20 @@ pub enum Most {
 }
 
 impl Most {
+    /// A value so that more of it is greater.
+    #[must_use]
+    pub fn turned(self, value: f64) -> f64 {
+        match self {
+            Most::Greatest => value,
+            Most::Least => -value,
+            Most::Amount => value.abs(),
+        }
+    }
+
     /// Whether another value is more.
     #[must_use]
     pub fn is_before(self, value: f64, other: f64) -> bool {
-        match self {
-            Most::Greatest => other > value,
-            Most::Least => other < value,
-            Most::Amount => other.abs() > value.abs(),
-        }
+        self.turned(other) > self.turned(value)
     }
 }
 

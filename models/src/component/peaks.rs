@@ -14,6 +14,9 @@ use crate::kernel::calc::Calc;
 use crate::kernel::symbol::Symbol;
 use crate::parts::motion::Motion;
 
+/// Every so many places of the coordinate are looked at besides where the second one stands, until all are asked for.
+const COARSE: usize = 2;
+
 /// Peaks of several results of a model over the working range, each found once.
 pub struct Peaks {
     probe: Probe,
@@ -54,7 +57,8 @@ impl Peaks {
             if self.looked.iter().all(|(known, _)| *known != slot) {
                 let moved = self.aside.iter().filter(|(_, beside)| beside.moves(&slot));
                 let places = moved.map(|(_, beside)| beside.places.len()).next().unwrap_or(1);
-                self.looked.push((slot, Some(vec![[Dual64::from_re(0.0); _]; places])));
+                self.looked
+                    .push((slot, Some(vec![[Dual64::from_re(f64::NAN); _]; places])));
             }
         }
         let places = self
@@ -69,16 +73,24 @@ impl Peaks {
                 self.probe.stand(source, Dual64::from_re(at));
             }
             for (i, at) in grid(model.motion()).into_iter().enumerate() {
-                for (slot, looked) in &mut self.looked[known..] {
-                    let Some(values) = looked.as_mut().and_then(|looked| looked.get_mut(j)) else {
-                        continue;
-                    };
-                    match self.probe.at(slot, Dual64::new(at, 1.0)) {
-                        Some(value) => values[i] = value,
-                        None => *looked = None,
-                    }
+                // First where it stands, then every so many places: the others of a row that is the best one for some result.
+                if j == 0 || i % COARSE == 0 {
+                    place(&mut self.probe, &mut self.looked[known..], [j, i], at);
                 }
             }
+        }
+        self.back();
+    }
+
+    /// Looks at all places at one of the second coordinate, at which some were left out.
+    fn complete(&mut self, model: &Standing, row: usize) {
+        let Some((_, beside)) = self.aside.as_ref().filter(|_| row > 0) else {
+            return;
+        };
+        self.probe.stand(beside.source, Dual64::from_re(beside.places[row]));
+        let all = grid(model.motion()).into_iter().enumerate();
+        for (i, at) in all.filter(|(i, _)| i % COARSE != 0) {
+            place(&mut self.probe, &mut self.looked, [row, i], at);
         }
         self.back();
     }
@@ -118,15 +130,47 @@ impl Peaks {
     /// looked at.
     pub fn most(&mut self, model: &Standing, extreme: &Greatest) -> Option<Peak> {
         let pole = extreme.pole.and_then(|pole| slot(model, pole));
-        let each = slots(model, extreme.of).map(|slot| {
-            let infinite = pole.and_then(|pole| infinite(&mut self.probe, &pole, &slot, model.motion()));
+        let all: Vec<Slot> = slots(model, extreme.of).collect();
+        let hopes: Vec<f64> = all.iter().map(|slot| self.hope(slot, extreme.most)).collect();
+        let mut order: Vec<usize> = (0..all.len()).collect();
+        order.sort_by(|&one, &other| hopes[other].total_cmp(&hopes[one]));
+        let mut found: Vec<Option<Peak>> = vec![None; all.len()];
+        let mut best = f64::NEG_INFINITY;
+        for i in order {
+            let slot = &all[i];
+            let infinite = pole.and_then(|pole| infinite(&mut self.probe, &pole, slot, model.motion()));
             let infinite = infinite.map(|extreme| Peak { extreme, aside: None });
-            infinite.or_else(|| self.of(model, &slot, extreme.most))
-        });
-        let all: Vec<Peak> = each.collect::<Option<_>>()?;
+            // What cannot become the most of them is not looked for.
+            if infinite.is_none() && hopes[i] < best {
+                continue;
+            }
+            let own = infinite.or_else(|| self.of(model, slot, extreme.most))?;
+            best = best.max(extreme.most.turned(own.extreme.value));
+            found[i] = Some(own);
+        }
         let before = |a: &Peak, b: &Peak| extreme.most.is_before(a.extreme.value, b.extreme.value);
         let more = |a: Peak, b: Peak| if before(&a, &b) { b } else { a };
-        all.into_iter().reduce(more)
+        found.into_iter().flatten().reduce(more)
+    }
+
+    /// What the extreme of a result may come to at most, turned as its kind of extreme is: the most of the places looked at, and
+    /// once more the most by which neighbours differ. Beyond all bounds where it is not known.
+    fn hope(&self, slot: &Slot, most: Most) -> f64 {
+        let known = self.looked.iter().find(|(known, _)| known == slot);
+        let Some(looked) = known.and_then(|(_, looked)| looked.as_ref()) else {
+            return f64::INFINITY;
+        };
+        let apart = |one: &Dual64, other: &Dual64| (one.re - other.re).abs();
+        let along = looked.iter().flat_map(|row| row.iter().zip(&row[COARSE..]));
+        // First where the scene begins, then in their order.
+        let aside = looked.iter().zip(looked.iter().skip(1)).skip(1);
+        let aside = aside.flat_map(|(row, next)| row.iter().zip(next));
+        let rise = along
+            .chain(aside)
+            .map(|(one, other)| apart(one, other))
+            .fold(0.0, f64::max);
+        let values = looked.iter().flatten().map(|value| most.turned(value.re));
+        values.fold(f64::NEG_INFINITY, f64::max) + rise
     }
 
     /// The extreme of one of the results; `None` where it does not exist all over the range.
@@ -144,24 +188,29 @@ impl Peaks {
         if model.part().stages()[usize::from(slot.stage)].searched {
             return searched(model, slot, most).map(|extreme| Peak { extreme, aside: None });
         }
-        let (_, looked) = self.looked.iter().find(|(known, _)| known == slot)?;
+        let at = self.looked.iter().position(|(known, _)| known == slot)?;
         let turned = |value: Dual64| match most {
             Most::Greatest => value,
             Most::Least => -value,
             Most::Amount => Calc::abs(value),
         };
-        let looked: Vec<Looked> = looked.as_ref()?.iter().map(|looked| looked.map(turned)).collect();
+        let row = Beside::best(self.looked[at].1.as_ref()?.iter(), |value| most.turned(value));
+        if self.looked[at].1.as_ref()?[row].iter().any(|value| value.re.is_nan()) {
+            self.complete(model, row);
+        }
+        let rows = self.looked[at].1.as_ref()?;
+        let (several, looked) = (rows.len() > 1, rows[row].map(turned));
         let (probe, motion) = (&mut self.probe, model.motion());
         let found = match &self.aside {
-            Some((_, beside)) if looked.len() > 1 => {
+            Some((_, beside)) if several => {
                 let mut of = |at, aside| {
                     probe.stand(beside.source, aside);
                     probe.at(slot, at).map(turned)
                 };
-                beside.greatest(motion, &looked, &mut of)?
+                beside.greatest(motion, (row, &looked), &mut of)?
             }
             _ => Peak {
-                extreme: peak(motion, &looked[0], &mut |at| probe.at(slot, at).map(turned))?,
+                extreme: peak(motion, &looked, &mut |at| probe.at(slot, at).map(turned))?,
                 aside: None,
             },
         };
@@ -194,6 +243,20 @@ impl Peaks {
             places.dedup();
         }
         places
+    }
+}
+
+/// Looks at those results at one place that have not been looked at there, by the numbers of both coordinates' places.
+fn place(probe: &mut Probe, all: &mut [(Slot, Option<Vec<Looked>>)], [row, at]: [usize; 2], value: f64) {
+    for (slot, looked) in all {
+        let here = looked.as_mut().and_then(|looked| looked.get_mut(row));
+        let Some(here) = here.map(|row| &mut row[at]).filter(|here| here.re.is_nan()) else {
+            continue;
+        };
+        match probe.at(slot, Dual64::new(value, 1.0)) {
+            Some(found) => *here = found,
+            None => *looked = None,
+        }
     }
 }
 

@@ -179,7 +179,7 @@ impl Luffer {
     pub fn aside(&self) -> Aside {
         Aside {
             symbol: &s::THETA_1,
-            range: *self.0.range(),
+            range: [self.0.range().from, self.0.range().to],
         }
     }
 }

@@ -9,13 +9,14 @@ use crate::supports::portal::symbols as s;
 
 pub const OUTLINE: Outline = Outline {
     inputs: chapters!(
-        portal_place "", portal_corners "corners", portal_bodies "portal", portal_upper "upper",
+        portal_place "", portal_corners "corners", portal_bodies "portal", portal_upper "upper", portal_hopper "hopper",
         carried_luffing "luffing", carried_weights "luffing.weights", carried_balance "luffing.balance", carried_inertias "luffing.dynamics", carried_range "luffing.motion",
         load "Q", load "R",
         portal_wind "wind", portal_areas "wind.areas", portal_travel "travel", portal_storm "travel.storm", motion, limits
     ),
     constants: &[
         ("carried_luffing", &[Stage("luffed")]),
+        ("portal_hopper", &[Stage("filled")]),
         ("portal_weights", &[Stage("still"), Stage("own")]),
         ("portal_slewing", &[Stage("slewing")]),
         ("portal_circle", &[Stage("circle")]),

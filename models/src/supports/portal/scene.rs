@@ -29,7 +29,7 @@ use crate::supports::portal::outline::OUTLINE;
 use crate::supports::portal::stages::{Given, PortalCrane};
 use crate::supports::portal::symbols as s;
 use crate::supports::portal::travel::scene::{TRAVEL, TravelScene};
-use crate::supports::portal::weights::{Blowing, PortalBody, SlewingBody, WindArea};
+use crate::supports::portal::weights::{Blowing, PortalBody, PortalHopper, SlewingBody, WindArea};
 use crate::supports::portal::wheels::{CornerWheels, FRAMES, Hinged, Sideways};
 
 /// Most bodies of each kind, and wind areas.
@@ -43,6 +43,7 @@ pub const KEYS: &[Key] = keys! { s:
     Key::new("corners", Kind::Tables(CORNER, MANY), "The four corners, counter-clockwise: in front on the right rail, in front on the left one, behind on the left one, behind on the right one."),
     Key::new("portal", Kind::Tables(PORTAL, MANY), "Bodies of the portal, with its legs and travel gear.").optional(),
     Key::new("upper", Kind::Tables(UPPER, MANY), "Bodies of the upper works, with boom and counterweight.").optional(),
+    Key::part("hopper", HOPPER, "A hopper on the portal, into which the grab empties: one more weight, over whose fill the crane is judged; with a luffing mechanism at the fill that is given."),
     Key::part("wind", WIND, "Wind on the crane."),
     CARRIED, TRAVEL,
     Key::table("motion", MOTION, "Working range of slewing, over which the corner loads are looked through."),
@@ -52,6 +53,7 @@ pub const KEYS: &[Key] = keys! { s:
 static CORNER: &[Key] = keys! { s: N_W > 0, N_DR >= 0 [optional] };
 static PORTAL: &[Key] = keys! { s: G_P [or_mass], X_P [usually(0.0)], Y_P [usually(0.0)] };
 static UPPER: &[Key] = keys! { s: G_U [or_mass], R_U };
+static HOPPER: &[Key] = keys! { s: G_H0 [or_mass], X_H [usually(0.0)], Y_H [usually(0.0)], Q_H >= 0 [or_mass, or_input], Q_HF > 0 [or_mass] };
 static AREA: &[Key] = keys! { s: A_W >= 0, H_W >= 0 };
 static WIND: &[Key] = keys! { s: P_W >= 0, CHI_W;
     Key::new("areas", Kind::Tables(AREA, MANY), "Areas on which it acts, with their heights.")
@@ -79,6 +81,33 @@ fn corners(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Vec<CornerWheels<f
     }
     found.extend(v.tables("corners").iter().filter_map(|corner| corner.broken(&s::N_W)));
     Some(corners)
+}
+
+/// The hopper, if there is one; mistakes go to `found`.
+fn hopper(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Option<PortalHopper<f64>>> {
+    let read = v.part("hopper", PortalHopper::read)?;
+    if let Some((hopper, table)) = read.zip(v.table("hopper")).filter(|(hopper, _)| hopper.q > hopper.full) {
+        let [now, full] = [s::Q_H.written(hopper.q), s::Q_HF.written(hopper.full)];
+        let what = format!("Q_h = {now} lies in a hopper that is full with Q_hf = {full}");
+        found.push(table.refuse(
+            s::Q_H.id,
+            what,
+            "more than it holds",
+            "give Q_h up to Q_hf, or a greater Q_hf",
+        ));
+    }
+    Some(read)
+}
+
+/// What the scene leaves open.
+fn open(v: &Values) -> LeftOpen {
+    let mut open = LeftOpen::read(v, &[&s::R, &s::Q]);
+    open.0.extend(
+        v.table("hopper")
+            .into_iter()
+            .flat_map(|hopper| LeftOpen::read(hopper, &[&s::Q_H]).0),
+    );
+    open
 }
 
 /// The greatest of all over the reach, at a slewing angle (rad).
@@ -120,6 +149,7 @@ impl Described for PortalScene {
             upper: each(v, "upper", SlewingBody::read)?,
             wind: v.part("wind", Blowing::read)?,
             areas: wind.map_or(Some(Vec::new()), |wind| each(wind, "areas", WindArea::read))?,
+            hopper: hopper(v, found)?,
             sideways: Sideways::read(v)?,
             gravity: travel.gravity,
             wheels: travel.wheels,
@@ -130,7 +160,7 @@ impl Described for PortalScene {
             held: rig.held,
             luffer: rig.luffer,
             kind: Hinged(v.text("frame") == Some(FRAMES[1])),
-            open: LeftOpen::read(v, &[&s::R, &s::Q]),
+            open: open(v),
         };
         Some((PortalScene { given }, range))
     }
@@ -144,7 +174,11 @@ impl Described for PortalScene {
     }
 
     fn aside(this: &Description<PortalScene>) -> Option<Aside> {
-        this.given.luffer.as_ref().map(Luffer::aside)
+        let luffing = this.given.luffer.as_ref().map(Luffer::aside);
+        luffing.or(this.given.hopper.map(|hopper| Aside {
+            symbol: &s::Q_H,
+            range: [0.0, hopper.full],
+        }))
     }
 
     fn identities(this: &Description<PortalScene>, model: &mut Standing) -> Vec<Check> {

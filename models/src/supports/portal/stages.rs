@@ -18,7 +18,9 @@ use crate::supports::portal::travel::motor::TravelMotor;
 use crate::supports::portal::travel::resistance::{PortalResistance, TravelWind, rolling};
 use crate::supports::portal::travel::stop::PortalStop;
 use crate::supports::portal::travel::storm::{StormEdge, StormForces};
-use crate::supports::portal::weights::{Blowing, PortalBody, SlewingBody, StillMoment, WindArea, upper_moment};
+use crate::supports::portal::weights::{
+    Blowing, HopperWeight, PortalBody, PortalHopper, SlewingBody, StillMoment, WindArea, upper_moment,
+};
 use crate::supports::portal::wheels::{CornerLoad, CornerWheels, Hinged, Sideways, top};
 
 stages! {
@@ -34,6 +36,7 @@ stages! {
         Parameter upper: Vec<SlewingBody<C>>,
         Parameter wind: Option<Blowing<C>>,
         Parameter areas: Vec<WindArea<C>>,
+        Parameter hopper: Option<PortalHopper<C>>,
         Parameter sideways: Sideways<C>,
         Parameter gravity: Option<One<C>>,
         Parameter wheels: Option<PortalWheels<C>>,
@@ -48,7 +51,8 @@ stages! {
     } find {
         luffed: Luffed<C> = Luffed::held(luffer[!], held);
         out: C = reach(reach, luffed[?]) => _;
-        still: StillMoment<C> = StillMoment::new(portal, upper, wind, areas, luffed[?]);
+        filled: HopperWeight<C> = HopperWeight::new(hopper[!]);
+        still: StillMoment<C> = StillMoment::new(portal, upper, wind, areas, luffed[?], filled[?]);
         own: C = upper_moment(upper, luffed[?]) => M_U;
         slewing: SlewingLoad<C> = SlewingLoad::new(still, own, load, out);
         circle: Circle<C> = Circle::new(base, still, slewing);

@@ -41,6 +41,11 @@ symbols! {
     G_U: "G_u" "G_(u i)" N / KN [not_negative], "Weight of a body of the upper works.", "input";
     R_U: "r_u" "r_(u i)" M / M, "Centre of gravity of a body of the upper works, in front of the slewing axis; negative behind it.", "input";
     Q: "Q" "Q" N / KN [not_negative], "Weight of the load with hook block or grab.", "input";
+    G_H0: "G_h0" "G_\"h0\"" N / KN [not_negative], "Weight of the hopper on the portal, with its feeder, empty.", "input";
+    X_H: "x_h" "x_\"h\"" M / M, "Centre of gravity of the hopper with its contents, forward of the slewing axis.", "input";
+    Y_H: "y_h" "y_\"h\"" M / M, "Centre of gravity of the hopper with its contents, to the left of the slewing axis.", "input";
+    Q_H: "Q_h" "Q_\"h\"" N / KN [not_negative], "Weight of what lies in the hopper.", "input";
+    Q_HF: "Q_hf" "Q_\"hf\"" N / KN [positive], "Weight of what lies in the hopper when it is full.", "input";
     P_W: "p_w" "p_\"w\"" PA / PA [not_negative], "Pressure of the wind.", "input";
     CHI_W: "chi_w" "chi_\"w\"" RAD / DEG, "Direction to which the wind blows, from the direction of the rails; positive counter-clockwise, seen from above.", "input";
     A_W: "A_w" "A_(\"w\" i)" M2 / M2 [not_negative], "Wind area with its shape coefficient.", "input";
@@ -66,6 +71,8 @@ symbols! {
     F_C: "F_c" "F_\"c\"" N / KN [positive], "Force along the rails that a rail clamp holds.", "input";
 
     // Weights.
+    V_H: "V_h" "V_\"h\"" N / KN [not_negative], "Weight of the hopper with its contents.", "[Ports001, 7.2.5]";
+    U_H: "u_h" "u_\"h\"" ONE / ONE, "Weight of what lies in the hopper over that when it is full.", "derived";
     V_0: "V_0" "V_0" N / KN, "Weight of the crane without load.", "derived";
     M_PX: "M_px" "M_(p x)" N_M / KN_M, "Moment of the portal's weight about the axis along the rails; positive loads the left rail.", "equilibrium";
     M_PY: "M_py" "M_(p y)" N_M / KN_M, "Moment of the portal's weight about the axis across the rails; positive loads the corners in front.", "equilibrium";

@@ -28,6 +28,31 @@ quantities! {
     WindArea { a_w: A_W, h_w: H_W }
 }
 
+quantities! {
+    /// A hopper on the portal: empty (N), its place (m), what lies in it, and what does when it is full (N).
+    PortalHopper { g: G_H0, x: X_H, y: Y_H, q: Q_H, full: Q_HF }
+}
+
+/// The hopper with its contents: weight (N) and place (m), how full it is.
+#[derive(Clone, Copy, Debug)]
+pub struct HopperWeight<C> {
+    weight: C,
+    place: Point<C>,
+    fill: C,
+}
+results! { HopperWeight as h => { V_H: h.weight; U_H: h.fill; } }
+
+impl<C: Calc> HopperWeight<C> {
+    /// V_h = G_h0 + Q_h, u_h = Q_h/Q_hf. [Ports001, 7.2.5]
+    pub fn new(hopper: &PortalHopper<C>) -> HopperWeight<C> {
+        HopperWeight {
+            weight: (hopper.g + hopper.q).def(&s::V_H),
+            place: Point::new(hopper.x, hopper.y),
+            fill: (hopper.q / hopper.full).def(&s::U_H),
+        }
+    }
+}
+
 /// The crane without load: its weight (N), moments (N·m) of the portal's weight, of the wind, and of both.
 #[derive(Clone, Copy, Debug)]
 pub struct StillMoment<C> {
@@ -48,7 +73,8 @@ results! { StillMoment as m => {
 } }
 
 impl<C: Calc> StillMoment<C> {
-    /// V_0 = Σ G_p + Σ G_u, with a luffing mechanism its W_1 besides; M_px = Σ G_p y_p, M_py = Σ G_p x_p, M_w = p_w Σ A_w h_w, M_0x = M_px + M_w sin χ_w.
+    /// V_0 = Σ G_p + Σ G_u, with a luffing mechanism its W_1 and with a hopper its V_h besides; M_px = Σ G_p y_p + V_h y_h,
+    /// M_py = Σ G_p x_p + V_h x_h, M_w = p_w Σ A_w h_w, M_0x = M_px + M_w sin χ_w.
     ///
     /// # Errors
     /// Nothing weighs anything.
@@ -58,13 +84,15 @@ impl<C: Calc> StillMoment<C> {
         wind: &Option<Blowing<C>>,
         areas: &[WindArea<C>],
         luffed: Option<&Luffed<C>>,
+        hopper: Option<&HopperWeight<C>>,
     ) -> Result<StillMoment<C>, Fault> {
         let own = sum(portal.iter().map(|body| body.g_p));
         let weight = match upper {
             [] => own,
             _ => own + sum(upper.iter().map(|body| body.g_u)),
         };
-        let weight = luffed.map_or(weight, |luffed| weight + luffed.weight).def(&s::V_0);
+        let weight = luffed.map_or(weight, |luffed| weight + luffed.weight);
+        let weight = hopper.map_or(weight, |hopper| weight + hopper.weight).def(&s::V_0);
         if weight.value() <= 0.0 {
             let what = "V_0 = 0: a crane without weight stands on nothing; give the weights of portal and upper works";
             return Err(Fault::outside(what));
@@ -73,6 +101,10 @@ impl<C: Calc> StillMoment<C> {
             sum(portal.iter().map(|body| body.g_p * body.y_p)),
             sum(portal.iter().map(|body| body.g_p * body.x_p)),
         );
+        let moment = hopper.map_or(moment, |hopper| {
+            let [x, y] = [hopper.place.x, hopper.place.y];
+            moment + Point::new(hopper.weight * y, hopper.weight * x)
+        });
         let moment = plane::def(moment, [&s::M_PX, &s::M_PY]);
         let wind = wind.as_ref().map(|wind| {
             let whole = (wind.p_w * sum(areas.iter().map(|area| area.a_w * area.h_w))).def(&s::M_W);
