@@ -7,10 +7,13 @@ use serde::Serialize;
 use crate::book::blocks::{Figure, Quantity, Range, Table, range, table};
 use crate::book::notation::Notation;
 use crate::book::steps::{Section, sections};
+use crate::book::verdict::{Check, check};
 use crate::print::number::Numbers;
 
 #[derive(Serialize)]
 pub(super) struct Cases {
+    /// Group of the words that speak of them.
+    words: &'static str,
     names: Vec<String>,
     /// A row for each quantity, a cell for each case.
     given: Vec<Row>,
@@ -21,6 +24,15 @@ pub(super) struct Cases {
     beside: Vec<Extremes>,
     ranges: Vec<OfCase>,
     curves: Vec<Figure>,
+    judged: Vec<Judged>,
+}
+
+/// What a case must keep, and the criterion that asks for it, as far as it is known.
+#[derive(Serialize)]
+struct Judged {
+    case: String,
+    check: Check,
+    criterion: Option<String>,
 }
 
 #[derive(Serialize)]
@@ -132,6 +144,7 @@ impl Cases {
             .chain(given)
             .chain(greatest)
             .chain(coefficients)
+            .chain(cases.judged.iter().map(|one| one.check.symbol))
         {
             notation.meet(symbol);
         }
@@ -161,6 +174,7 @@ impl Cases {
             all.iter().filter_map(row).collect()
         };
         Some(Cases {
+            words: cases.words,
             names: (0..cases.names.len()).map(name).collect(),
             given: cases.given.columns.iter().enumerate().map(row).collect(),
             unconfirmed: (cases.unconfirmed.iter())
@@ -182,6 +196,13 @@ impl Cases {
                 })
                 .collect(),
             curves: cases.curves.iter().map(|curve| Figure::new(numbers, curve)).collect(),
+            judged: (cases.judged.iter())
+                .map(|one| Judged {
+                    case: name(one.case),
+                    check: check(numbers, &one.check, None),
+                    criterion: (one.criterion.as_ref()).map(|text| text.of(numbers.language.code).to_owned()),
+                })
+                .collect(),
         })
     }
 }
