@@ -126,7 +126,7 @@ fn suits(v: &Values, case: &Values, found: &mut Vec<Diagnostic>) {
     let mut refuse = |symbol: &Symbol, needs: &str| {
         let what = format!("`{}` in a load case, and [hull] has no `{needs}`", symbol.id);
         let help = format!("remove it, or give [hull] `{needs}`");
-        found.push(case.refuse(symbol.id, what, "judges nothing", help));
+        found.push(case.refuse(symbol.id, what, "not used", help));
     };
     let taken = TAKEN.iter().map(|(symbol, needs, _)| (*symbol, *needs));
     let limits = LIMITS.iter().zip(NEEDS).map(|((symbol, _), needs)| (*symbol, needs));
