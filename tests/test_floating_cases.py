@@ -2,13 +2,14 @@
 case with its own weights, wind, pull and open compartments."""
 
 import math
+import re
 
 import pytest
 from scipy.optimize import brentq
 
 from conftest import lemnis, typst, words
-from test_floating import RHO, SCENE, WIND, T, G, at, box, crane, fmus  # noqa: F401
-from test_floating import AXIS, HIGH, MASSES, TANKS, Hull
+from test_floating import SCENE, WIND, T, at, box, fmus  # noqa: F401
+from test_floating import AXIS, HIGH, MASSES, RAKED, TANKS, Hull, raked
 
 PHI_F = math.radians(20.0)
 OPENINGS = [(-22.0, 8.0, 7.2), (-22.0, -8.0, 7.2)]
@@ -124,3 +125,15 @@ def test_the_book_judges_all_cases(language, tmp_path):
     assert "46 CFR 173.020" in judged and known["afloat_cases"]["to_confirm"] in judged
     start = known["text"]["governing_case"].split("#")[0]
     assert start in book
+
+
+@pytest.mark.parametrize("language", ["en", "zh", "bg"])
+def test_the_book_lists_the_points_of_all_sections(language, tmp_path):
+    path = tmp_path / "raked.toml"
+    path.write_text(raked(RAKED), encoding="utf-8")
+    lemnis("book", path, "--language", language, "--format", "typ", "--output", tmp_path)
+    book = typst(next(tmp_path.glob("*.typ")))
+    table = book[book.index(words(language)["table"]["afloat_sections"]):]
+    rows = re.findall(r"^ *\[([^\]]*)\],\s*\[([^\]]*)\],\s*\[([^\]]*)\],$", table, re.M)
+    told = [tuple(float(cell.replace(",", ".").replace("−", "-")) for cell in row) for row in rows[: sum(len(points) for _, points in RAKED)]]
+    assert told == [(x, y, z) for x, points in RAKED for y, z in points]

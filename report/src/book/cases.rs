@@ -1,6 +1,6 @@
 //! Cases: what is given of each, what is asked at most, over the range, and where most is asked in full.
 
-use lemnis_models::component::sheet::{self, Sheet};
+use lemnis_models::component::sheet::{self, CasesSheet, Sheet};
 use lemnis_models::kernel::symbol::Symbol;
 use serde::Serialize;
 
@@ -114,6 +114,35 @@ impl Worked {
     }
 }
 
+/// All symbols of the chapter's tables and curves.
+fn meet(cases: &CasesSheet, notation: &mut Notation) {
+    let drawn = cases.curves.iter().flat_map(|curve| [curve.x, curve.y]);
+    let terms = cases.worked.iter().flat_map(|worked| &worked.terms);
+    let terms = terms.flat_map(|(_, _, table)| table.columns.iter().copied());
+    let taken = cases
+        .worked
+        .iter()
+        .flat_map(|worked| &worked.taken)
+        .map(|(symbol, _)| *symbol);
+    let given = cases.given.columns.iter().copied();
+    let greatest = cases
+        .greatest
+        .iter()
+        .chain(&cases.beside)
+        .filter_map(|row| Some(row.first()?.symbol));
+    let coefficients = cases.unconfirmed.iter().map(|(symbol, ..)| *symbol);
+    for symbol in drawn
+        .chain(terms)
+        .chain(taken)
+        .chain(given)
+        .chain(greatest)
+        .chain(coefficients)
+        .chain(cases.judged.iter().map(|one| one.check.symbol))
+    {
+        notation.meet(symbol);
+    }
+}
+
 impl Cases {
     pub(super) fn of(numbers: &Numbers, sheet: &Sheet, full: bool, notation: &mut Notation) -> Option<Cases> {
         let cases = sheet.cases.as_ref()?;
@@ -123,31 +152,7 @@ impl Cases {
         for one in &cases.worked {
             worked.push(Worked::of(numbers, sheet, one, name(one.case), notation));
         }
-        let drawn = cases.curves.iter().flat_map(|curve| [curve.x, curve.y]);
-        let terms = cases.worked.iter().flat_map(|worked| &worked.terms);
-        let terms = terms.flat_map(|(_, _, table)| table.columns.iter().copied());
-        let taken = cases
-            .worked
-            .iter()
-            .flat_map(|worked| &worked.taken)
-            .map(|(symbol, _)| *symbol);
-        let given = cases.given.columns.iter().copied();
-        let greatest = cases
-            .greatest
-            .iter()
-            .chain(&cases.beside)
-            .filter_map(|row| Some(row.first()?.symbol));
-        let coefficients = cases.unconfirmed.iter().map(|(symbol, ..)| *symbol);
-        for symbol in drawn
-            .chain(terms)
-            .chain(taken)
-            .chain(given)
-            .chain(greatest)
-            .chain(coefficients)
-            .chain(cases.judged.iter().map(|one| one.check.symbol))
-        {
-            notation.meet(symbol);
-        }
+        meet(cases, notation);
         let row = |(i, symbol): (usize, &&'static Symbol)| Row {
             quantity: (*symbol).into(),
             values: cases
