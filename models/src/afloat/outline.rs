@@ -88,7 +88,7 @@ pub const OUTLINE: Outline = Outline {
         ("afloat_areas", listed!(s: PHI_F)),
         (
             "afloat_cases",
-            listed!(s: Q_K, R_K, THETA_1K, PSI_K, P_WK, CHI_WK, P_GK, F_PK),
+            listed!(s: Q_K, R_K, THETA_1K, PSI_K, P_WK, CHI_WK, P_GK, F_PK, CHI_P, Z_P, Z_LP),
         ),
         ("afloat_rolled", listed!(s: PHI_A)),
         ("afloat_told", listed!(s: PHI_H)),
