@@ -2,6 +2,7 @@
 polygons along the hull, equilibrium and energy by SciPy; and in the book."""
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -318,10 +319,19 @@ z_lp = "1.1 m"
 """
 
 
+def alone():
+    """The scene without its further load cases, and without what acts in these alone."""
+    text = re.sub(r"^load_case\..*\n", "", SCENE.read_text(encoding="utf-8"), flags=re.M)
+    for start, end in (("[[hull.flooded]]", "[hull.loss]"), ("[[hull.load_cases]]", "[hull.motion]")):
+        head, rest = text.split(start, 1)
+        text = head + rest[rest.index(end):]
+    return text
+
+
 def damaged(folder):
     """The scene with a flooded compartment, under tow."""
     path = folder / "damaged.toml"
-    text = SCENE.read_text(encoding="utf-8").replace("[hull.loss]", DAMAGE + "[hull.loss]")
+    text = alone().replace("[hull.loss]", DAMAGE + "[hull.loss]")
     text = text.replace('f_min     = "0.5 m"\n', "").replace("FloatingCraneStatic", "FloatingCraneDamaged")
     path.write_text(text, encoding="utf-8")
     return path

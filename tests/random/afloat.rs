@@ -74,6 +74,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
         gust.keep("phi_a", true);
         gust.set("phi_a", roll);
     }
+    cases(&mut n, weight);
     motion(&mut n, weight * load, [weight / g, long, broad]);
     let end = n.draw.between(0.3, 0.5);
     n.keep("phi_f", true);
@@ -111,6 +112,34 @@ fn damage(n: &mut Node, weight: f64, [long, broad, deep]: [f64; 3]) {
             row(draw, &all)
         });
     }
+}
+
+/// A further load case on a hull of a weight (N) that stands still, with a part of what the hull itself may have; mostly at one
+/// slewing angle, as a case costs as much as the hull itself.
+fn cases(n: &mut Node, weight: f64) {
+    n.remove(&["load_case"]);
+    if !n.has("load_cases") || n.text("fidelity") == Some("swing") {
+        n.remove(&["load_cases"]);
+        return;
+    }
+    n.put("load_case", "At work");
+    let (size, luffs) = (n.draw.scale[0], n.has("luffing"));
+    let [blown, struck, towed] = ["wind", "gust", "tow"].map(|name| n.has(name));
+    list(n, "load_cases", 1, &mut |draw, i| {
+        let load = weight * draw.between(0.0, if luffs { 0.002 } else { 0.01 });
+        let pressure = draw.between(0.0, 0.002) * weight / (size * size);
+        let mut all = vec![(&s::Q_K, load), (&s::PHI_MAX, 1.0)];
+        all.extend((!luffs).then(|| (&s::R_K, size * draw.between(0.0, 0.5))));
+        all.extend(draw.coin(0.7).then(|| (&s::PSI_K, draw.between(-PI, PI))));
+        all.extend(blown.then_some((&s::P_WK, pressure)));
+        all.extend(struck.then_some((&s::P_GK, pressure)));
+        all.extend(towed.then(|| (&s::F_PK, weight * draw.between(0.0, 0.001))));
+        let mut case = row(draw, &all);
+        if let Value::Table(case) = &mut case {
+            case.insert("name".to_owned(), format!("Case {i}").into());
+        }
+        case
+    });
 }
 
 /// A luffing mechanism whose weights are a small part of another one (N), and a mass that slews with it.

@@ -28,6 +28,19 @@ fn ropes(n: &mut Node) -> f64 {
         let same = ropes.get("a_o");
         ropes.set("a_u", same);
     }
+    if let Some(mut slings) = n.child("slings") {
+        for (name, low, high) in [
+            ("l_s", 0.05, 1.0),
+            ("e_s", 0.0, 0.1),
+            ("e_1", 0.0, 0.1),
+            ("i_1", 0.02, 0.15),
+        ] {
+            let part = slings.draw.between(low, high);
+            if slings.has(name) {
+                slings.set(name, part * length);
+            }
+        }
+    }
     length
 }
 

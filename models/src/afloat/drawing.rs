@@ -1,5 +1,6 @@
 //! A floating crane as books draw it, seen from the bow.
 
+use crate::afloat::cases::acting;
 use crate::afloat::stages::{FloatingCrane, Given};
 use crate::afloat::symbols as s;
 use crate::component::draw::Draw;
@@ -29,7 +30,7 @@ pub fn drawn(given: &Given<f64>, at: f64) -> Drawing {
     };
     let mut size = outline.iter().map(|point| point.norm()).fold(1e-3, f64::max);
     draw.body(&outline, false);
-    for space in &given.flooded {
+    for space in acting(&given.flooded, &given.planned.flooded) {
         let half = space.b_f / 2.0;
         let [low, high] = [space.z_f, space.z_f + space.d_f];
         let corners = [(-half, low), (half, low), (half, high), (-half, high)];

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::afloat::cases::{PlannedCases, acting};
 use crate::afloat::symbols as s;
 use crate::afloat::weights::TankGiven;
 use crate::kernel::calc::Calc;
@@ -83,6 +84,7 @@ impl<C: Calc> Floating<C> {
         offsets: &Option<Offsets>,
         tanks: &[TankGiven<C>],
         flooded: &[FloodedSpace<C>],
+        planned: &PlannedCases,
         density: &One<C>,
         gravity: &One<C>,
     ) -> Result<Floating<C>, Fault> {
@@ -107,7 +109,7 @@ impl<C: Calc> Floating<C> {
             hull,
             tanks: tanks.iter().map(tank).collect(),
             water: **density * **gravity,
-            open: (flooded.iter())
+            open: acting(flooded, &planned.flooded)
                 .map(|space| OpenSpace {
                     walls: Solid::cuboid([space.x_f, space.y_f, space.z_f], [space.l_f, space.b_f, space.d_f]),
                     share: space.mu_f,
@@ -115,6 +117,11 @@ impl<C: Calc> Floating<C> {
                 .collect(),
             half: offsets.as_ref().map_or(0, |offsets| offsets.half),
         })
+    }
+
+    /// Whether compartments are open to the water.
+    pub fn is_open(&self) -> bool {
+        !self.open.is_empty()
     }
 
     /// The same over another scalar.

@@ -23,12 +23,14 @@
 //! | `afloat.openings` | [`openings::flooding`], [`openings::AreaEnds::new`] | geometry; Ports001, 7.3 |
 //! | `afloat.loss` | [`loss::residual`], [`loss::LoadLost::new`] | 46 CFR 173, 173.020 and 173.025 |
 //! | `afloat.gust` | [`gust::Gust::new`] | Ports001, 7.3: dynamic lever |
+//! | `afloat.cases` | [`cases::CaseOutcome::new`] | Ports001, 7.3: 3.2.6.1 to 3.2.6.4 |
 //! | `afloat.riding` | [`riding::RidingHull::new`], [`riding::WaterForces::new`] | geometry; virtual work |
 //! | `afloat.crane` | [`Luffed::at`](crate::luffing::luffed::Luffed::at), [`crane::CraneWeights::new`], [`holding::HeldAtRest::new`] | equilibrium; virtual work |
 //! | `afloat.carrying` | [`carrying::CraneAfloat::moved`], [`yielding::yielding`], [`driving::DriveMoments::new`] | Lagrange; virtual work |
 //! | `afloat.swaying` | [`head::HeadPlace::new`], [`swaying::Swaying::new`] | Lagrange, first kind |
 
 pub mod carrying;
+pub mod cases;
 pub mod crane;
 mod drawing;
 pub mod driving;
@@ -37,11 +39,13 @@ pub mod head;
 pub mod heeling;
 pub mod holding;
 pub mod hull;
+mod judging;
 pub mod levers;
 pub mod loaded;
 pub mod loss;
 pub mod openings;
 mod outline;
+mod planning;
 pub mod posture;
 pub mod rest;
 pub mod riding;
@@ -53,6 +57,7 @@ pub mod stages;
 mod start;
 pub mod swaying;
 pub mod symbols;
+mod told;
 pub mod upright;
 pub mod weights;
 pub mod yielding;

@@ -10,6 +10,9 @@ use crate::luffing::kinds::GIVEN;
 /// Levers at heels, of which the book tells one with its formulas and all in a table.
 pub const LEVERS: &[SectionOutline] = &[("afloat_levers", &[Stage("levers")])];
 
+/// What a further load case comes to, of which the book tells one with its formulas and all in a table.
+pub const CASES: &[SectionOutline] = &[("afloat_cases", &[Stage("outcomes")])];
+
 /// The section of openings, which are all in its table.
 pub const OPENINGS: &str = "afloat_openings";
 
@@ -18,6 +21,7 @@ pub const OUTLINE: Outline = Outline {
         afloat_hull "", afloat_sections "sections", afloat_masses "masses", afloat_tanks "tanks", load "Q", load "R",
         afloat_crane "pedestal", afloat_turning "turning", carried_luffing "luffing", carried_weights "luffing.weights",
         carried_balance "luffing.balance", carried_inertias "luffing.dynamics", carried_range "luffing.motion", afloat_wind "wind", afloat_areas "wind.areas", afloat_openings "openings", afloat_tow "tow", afloat_flooded "flooded", afloat_loss "loss", afloat_gust "gust",
+        afloat_cases "load_cases",
         afloat_dynamics "dynamics", afloat_start, motion, limits
     ),
     constants: &[("afloat_weights", &[Stage("dead")])],
@@ -60,6 +64,7 @@ pub const OUTLINE: Outline = Outline {
         Greatest::new(&s::D_A_MIN, Most::Least, &s::D_A),
         Greatest::new(&s::PHI_DYN_MAX, Most::Amount, &s::PHI_DYN),
         Greatest::new(&s::K_C_MIN, Most::Least, &s::K_C),
+        Greatest::new(&s::U_MAX, Most::Greatest, &s::U_K),
     ],
     summary: listed!(s: GM),
     sensitivity: listed!(s: PHI_MAX, F_MIN, D_A_MIN),
@@ -74,12 +79,17 @@ pub const OUTLINE: Outline = Outline {
         Limit::not_negative("afloat_lost", &s::D_A_MIN),
         Limit::at_most("afloat_dynamic", &s::PHI_DYN_MAX),
         Limit::at_least("afloat_capsizing", &s::K_C_MIN),
+        Limit::within("afloat_cases", &s::U_MAX, 1.0),
     ],
     uses: &[
         ("afloat_shape", listed!(s: L, B, D, X_H)),
         ("afloat_tank", listed!(s: D_T)),
         ("afloat_compartment", listed!(s: MU_F, L_F, B_F, D_F, X_F, Y_F, Z_F)),
         ("afloat_areas", listed!(s: PHI_F)),
+        (
+            "afloat_cases",
+            listed!(s: Q_K, R_K, THETA_1K, PSI_K, P_WK, CHI_WK, P_GK, F_PK, CHI_P, Z_P, Z_LP),
+        ),
         ("afloat_rolled", listed!(s: PHI_A)),
         ("afloat_told", listed!(s: PHI_H)),
         ("hook", &[&s::L_R]),

@@ -3,26 +3,28 @@
 use crate::afloat::drawing::drawn;
 use crate::afloat::gust::GustGiven;
 use crate::afloat::hull::FloodedSpace;
+use crate::afloat::judging::{HullCases, chapter};
 use crate::afloat::levers::{ToldHeel, raised};
 use crate::afloat::loss::LossRule;
 use crate::afloat::openings::Opening;
 use crate::afloat::outline::{LEVERS, OPENINGS, OUTLINE};
+use crate::afloat::planning::{self, ReadCases, only_in};
 use crate::afloat::rig::{CraneRig, PEDESTAL, TURNING};
 use crate::afloat::shape;
 use crate::afloat::stages::{FloatingCrane, Given, MadeInputs};
 use crate::afloat::start::{self, DYNAMICS, MOVING, MovingHull};
 use crate::afloat::symbols as s;
+use crate::afloat::told::{OPENED, TOLD, all_told, levers, points};
 use crate::afloat::weights::{HullMass, HullTow, HullWind, TankGiven, Weighed, WindageArea};
 use crate::component::description::{Described, Description, Vocabulary};
 use crate::component::mechanism::{Entry, Solver};
 use crate::component::moving::MovingComponent;
 use crate::component::moving::smooth::SmoothPieces;
 use crate::component::outline::{Limit, Outline};
-use crate::component::sheet::{Check, Curve, Drawing, Input, Sheet, Table};
+use crate::component::sheet::{Check, Curve, Drawing, Input, Sheet};
 use crate::component::stages::Stages;
 use crate::component::standing::Standing;
-use crate::component::telling::{explained, numbered, sample};
-use crate::kernel::calc::Calc;
+use crate::component::telling::{explained, sample};
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::gravity;
 use crate::kernel::group::One;
@@ -30,6 +32,7 @@ use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Kind, SOURCE, Values};
 use crate::kernel::sign::Sign;
 use crate::kernel::symbol::{Symbol, listed};
+use crate::kernel::text::Text;
 use crate::kernel::unit::M_DEG;
 use crate::kernel::variable::Fault;
 use crate::luffing::aboard;
@@ -41,6 +44,7 @@ use crate::parts::motion::Motion;
 const MANY: usize = 64;
 const MOST_SECTIONS: usize = 200;
 const MOST_POINTS: usize = 100;
+const MOST_CASES: usize = 16;
 
 /// Keys of `[hull]`.
 pub const KEYS: &[Key] = keys! { s:
@@ -65,6 +69,8 @@ pub const KEYS: &[Key] = keys! { s:
     Key::part("tow", TOW, "A rope that tows the hull."),
     Key::new("flooded", Kind::Tables(FLOODED, MANY), "Rectangular compartments within the hull that are open to the water.").optional(),
     Key::new("heels", Kind::Quantities(&s::PHI_H, Sign::Positive, [1, MANY]), "Heels at which righting levers are told.").optional(),
+    Key::new(planning::OWN, Kind::Line, "Name of the load case that [hull] itself describes, where there are further ones.").optional(),
+    Key::new(planning::CASES, Kind::Tables(CASE, MOST_CASES), "Further load cases: what changes in each, and what it must keep; what a case does not say is as in [hull].").optional(),
     Key::kinds("loss", LOSS, "What a loss of load is judged by."),
     Key::part("gust", GUST, "A sudden wind on the same areas."),
     Key::table("motion", MOTION, "Working range of slewing."),
@@ -85,13 +91,20 @@ static TANK: &[Key] = keys! { s:
     RHO_T > 0 [usually(1000.0)], L_T > 0, B_T > 0, D_T > 0, H_T > 0, X_T, Y_T [usually(0.0)], Z_T [usually(0.0)]
 };
 static AREA: &[Key] = keys! { s: A_W >= 0, Z_W };
-static OPENING: &[Key] = keys! { s: X_O, Y_O, Z_O };
+static OPENING: &[Key] = keys! { s: X_O, Y_O, Z_O; only_in(MOST_CASES) };
 static WIND: &[Key] = keys! { s: P_W >= 0 [or_input], CHI_W, Z_L;
     Key::new("areas", Kind::Tables(AREA, MANY), "Areas on which it acts, with their heights.")
 };
 static TOW: &[Key] = keys! { s: F_P >= 0, CHI_P, Z_P, Z_LP };
-static FLOODED: &[Key] = keys! { s: MU_F > 0, L_F > 0, B_F > 0, D_F > 0, X_F, Y_F [usually(0.0)], Z_F [usually(0.0)] };
+static FLOODED: &[Key] =
+    keys! { s: MU_F > 0, L_F > 0, B_F > 0, D_F > 0, X_F, Y_F [usually(0.0)], Z_F [usually(0.0)]; only_in(MOST_CASES) };
 static GUST: &[Key] = keys! { s: P_G >= 0, PHI_A >= 0 [usually(0.0)] };
+static CASE: &[Key] = keys! { s:
+    Q_K >= 0 [or_mass, optional], R_K [optional], THETA_1K [optional], PSI_K [optional], P_WK >= 0 [optional], CHI_WK [optional],
+    P_GK >= 0 [optional], F_PK >= 0 [optional];
+    Key::new("name", Kind::Line, "Its name."),
+    LIMITS[0], LIMITS[1], LIMITS[2], LIMITS[3], LIMITS[4], LIMITS[5], LIMITS[6], LIMITS[7], LIMITS[8]
+};
 static LOSS: &[(&str, &[Key])] = &[
     (
         "cfr_173_025",
@@ -124,6 +137,8 @@ pub struct AfloatScene {
     given: Given<f64>,
     /// Whether the loss of load is judged by a ratio of areas.
     ratio: bool,
+    /// Names of the load cases, its own first.
+    cases: Vec<Text>,
     /// Longest step of the solver, in s, where it moves.
     step: Option<f64>,
 }
@@ -166,44 +181,6 @@ fn suits(v: &Values, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Columns of the tables of openings, and of righting levers.
-const OPENED: &[&Symbol] = listed!(s: X_O, Y_O, Z_O, F_O, PHI_O, PHI_O0);
-const TOLD: &[&Symbol] = listed!(s: PHI_H, GZ, GZ_W, E, E_W);
-
-/// All of what there are several of at a slewing angle (rad); `None` where there is none.
-fn all_told(model: &mut Standing, at: f64, columns: &'static [&'static Symbol]) -> Option<Table> {
-    let found: Vec<Vec<f64>> = columns.iter().map(|symbol| numbered(model, symbol, at)).collect();
-    let row = |i: usize| found.iter().map(|column| column[i]).collect();
-    let rows: Vec<_> = (0..found[0].len()).map(row).collect();
-    (!rows.is_empty()).then(|| Table {
-        columns: columns.to_vec(),
-        rows,
-    })
-}
-
-impl AfloatScene {
-    /// Levers over the heel (rad) at a slewing angle: the righting one, its wall-sided form, and that of the moments that heel.
-    fn levers(&self, at: f64, heels: impl Iterator<Item = f64>) -> Option<[Vec<[f64; 2]>; 3]> {
-        let mut known = FloatingCrane::new(self.given.clone());
-        known.psi().1 = at;
-        let (upright, all) = (*known.upright().ok()?, known.loaded().ok()?.all);
-        let floating = known.floating().ok()?;
-        let centred = Weighed { across: 0.0, ..all };
-        let mut curves = [const { Vec::new() }; 3];
-        for heel in heels {
-            let (sin, cos) = Calc::sin_cos(heel);
-            let [_, lever] = raised(floating, &centred, heel).ok()?;
-            let walls = (upright.height[0] + upright.radius[0] / 2.0 * (sin / cos).square()) * sin;
-            let asked = (all.across / all.weight).abs() * cos;
-            curves
-                .iter_mut()
-                .zip([lever, walls, asked])
-                .for_each(|(curve, y)| curve.push([heel, y]));
-        }
-        Some(curves)
-    }
-}
-
 impl Described for AfloatScene {
     type Component = FloatingCrane;
     const ID: &'static str = "afloat";
@@ -224,6 +201,7 @@ impl Described for AfloatScene {
         let rig = CraneRig::read(v, gravity, found);
         let (built, offsets, wind) = (shape::built(v, found), shape::sections(v, found), v.table("wind"));
         let rig = rig.filter(|_| found.len() == before)?;
+        let cases = ReadCases::read(v, rig.rig.held.map(|held| held.1), found);
         let one = |symbol: &'static Symbol| v.of(symbol).map(|value| One(symbol, value));
         let open = |of: &Values, symbol: &'static Symbol| {
             (of.is_input(symbol.id) || of.course(symbol.id).is_some()).then_some(symbol)
@@ -260,6 +238,11 @@ impl Described for AfloatScene {
             rule: v.part("loss", LossRule::read)?,
             gust: v.part("gust", GustGiven::read)?,
             gravity: One(&s::G, gravity),
+            loads: cases.loads,
+            hangs: cases.hangs,
+            winds: cases.winds,
+            gusts: cases.gusts,
+            pulls: cases.pulls,
             buoyed: None,
             servo: None,
             luffing_servo: None,
@@ -271,12 +254,21 @@ impl Described for AfloatScene {
             luffing: None,
             offsets,
             luffer: rig.rig.luffer,
+            planned: cases.planned,
             inputs: MadeInputs(inputs.into_iter().flatten().collect()),
         };
         let ratio = v.table("loss").is_some_and(|loss| loss.text("kind") == Some("ratio"));
         let moves = MovingHull::read(v, range.from, rig.command);
         let step = moves.and_then(|moves| moves.begin(v, &mut given, found));
-        (found.len() == before).then_some((AfloatScene { given, ratio, step }, range))
+        (found.len() == before).then_some((
+            AfloatScene {
+                given,
+                ratio,
+                cases: cases.names,
+                step,
+            },
+            range,
+        ))
     }
 
     fn given(this: &Description<AfloatScene>) -> Given<f64> {
@@ -285,6 +277,10 @@ impl Described for AfloatScene {
 
     fn levels(&self) -> Vec<&'static str> {
         std::iter::once("static").chain(self.step.map(|_| "swing")).collect()
+    }
+
+    fn chapters(&self) -> Vec<&'static str> {
+        self.given.loads.first().map(|_| "cases").into_iter().collect()
     }
 
     fn set_level(&mut self, level: &str) {
@@ -358,7 +354,7 @@ impl Described for AfloatScene {
     fn identities(this: &Description<AfloatScene>, model: &mut Standing) -> Vec<Check> {
         let end = 0.5;
         let step = end / f64::from(STRIPS);
-        let Some([lever, ..]) = this.levers(this.motion.from, (0..=STRIPS).map(|i| f64::from(i) * step)) else {
+        let Some([lever, ..]) = levers(&this.given, this.motion.from, (0..=STRIPS).map(|i| f64::from(i) * step)) else {
             return Vec::new();
         };
         // By Simpson's rule.
@@ -417,16 +413,28 @@ impl Described for AfloatScene {
         let flooded = this.given.flooded.is_empty().then_some("afloat_flooded");
         wind.into_iter()
             .chain(flooded)
-            .chain(["afloat_motion", "strength", "load_cases"])
+            .chain(["afloat_motion", "strength"])
+            .chain(this.given.loads.is_empty().then_some("load_cases"))
             .collect()
     }
 
     /// Levers over the heel where it is greatest, and those that the scene asks for in a table.
     fn more(this: &Description<AfloatScene>, model: &mut Standing, sheet: &mut Sheet) {
+        let offsets = this.given.offsets.as_ref();
+        sheet
+            .lists
+            .extend(offsets.map(|offsets| ("afloat_sections", points(offsets))));
+        let cases = HullCases {
+            given: &this.given,
+            names: &this.cases,
+            ratio: this.ratio,
+            motion: &this.motion,
+        };
+        sheet.cases = chapter::<AfloatScene>(&cases, model, sheet);
         let Some(at) = sheet.positions.first().map(|position| position.value) else {
             return;
         };
-        if let Some(mut curves) = this.levers(at, (0..=DRAWN).map(|i| f64::from(i).to_radians())) {
+        if let Some(mut curves) = levers(&this.given, at, (0..=DRAWN).map(|i| f64::from(i).to_radians())) {
             // The wall-sided form grows without end.
             let most = curves[0].iter().map(|point| point[1]).fold(0.0, f64::max);
             curves[1].retain(|point| point[1] <= 1.3 * most);

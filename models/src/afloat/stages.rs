@@ -1,6 +1,7 @@
 //! A floating crane as a component: what it is given, and in which stages its equations follow from each other.
 
 use crate::afloat::carrying::CraneAfloat;
+use crate::afloat::cases::{CaseOutcome, CaseWind, NAMES, PlannedCase, PlannedCases, acting};
 use crate::afloat::crane::{CraneWeights, HungPoint, LuffingMotion, TurningMass, luffed};
 use crate::afloat::driving::{DriveMoments, LuffingCommand, LuffingServo, luffing};
 use crate::afloat::gust::{Gust, GustGiven};
@@ -18,10 +19,14 @@ use crate::afloat::swaying::{RopedLoad, SlewingCommand, SlewingServo, Swaying, S
 use crate::afloat::symbols as s;
 use crate::afloat::upright::Upright;
 use crate::afloat::weights::{CranePlace, DeadLoad, HullMass, HullTow, HullWind, TankGiven, WindageArea};
+use crate::component::found::{Finding, found};
 use crate::component::part::{Component, Port, ports};
-use crate::component::stages::{Found, stages};
+use crate::component::scalar::Scalar;
+use crate::component::stages::{Found, Slot, Stage, Stages, absent, stages};
+use crate::kernel::calc::Calc;
 use crate::kernel::group::{One, group};
 use crate::kernel::symbol::{Symbol, listed};
+use crate::kernel::variable::Fault;
 use crate::luffing::luffed::{Luffed, LuffedRates, Luffer};
 
 /// Given quantities that the scene makes inputs of.
@@ -53,6 +58,11 @@ stages! {
         Parameter rule: Option<LossRule<C>>,
         Parameter gust: Option<GustGiven<C>>,
         Parameter gravity: One<C>,
+        Parameter loads: Vec<One<C>>,
+        Parameter hangs: Vec<One<C>>,
+        Parameter winds: Vec<CaseWind<C>>,
+        Parameter gusts: Vec<One<C>>,
+        Parameter pulls: Vec<One<C>>,
         Parameter buoyed: Option<BuoyedMass<C>>,
         Parameter servo: Option<SlewingServo<C>>,
         Parameter luffing_servo: Option<LuffingServo<C>>,
@@ -64,16 +74,17 @@ stages! {
         State luffing: Option<LuffingMotion<C>>,
         Fixed offsets: Option<Offsets>,
         Fixed luffer: Option<Luffer>,
+        Fixed planned: PlannedCases,
         Fixed inputs: MadeInputs,
     } find {
-        floating: Floating<C> = Floating::new(built, offsets, tanks, flooded, density, gravity) => _;
+        floating: Floating<C> = Floating::new(built, offsets, tanks, flooded, planned, density, gravity) => _;
         dead: DeadLoad<C> = DeadLoad::new(masses, tanks, gravity, wind, areas, tow);
         luffed: Luffed<C> = luffed(luffer[!], held, luffing);
         luffed_rates: LuffedRates<C> = LuffedRates::new(luffed);
         hung: HungPoint<C> = HungPoint::new(reach, height, luffed[?]);
         crane: CraneWeights<C> = CraneWeights::new(psi, place, height, luffed, turning);
         loaded: Loaded<C> = Loaded::new(psi, dead, place, hung, load, crane[?]);
-        upright: Upright<C> = Upright::new(floating, density, gravity, tanks, flooded, loaded);
+        upright: Upright<C> = Upright::new(floating, density, gravity, tanks, loaded);
         small: SmallAngles<C> = SmallAngles::new(loaded, upright);
         posture: Posture<C> = Posture::new(built, floating, psi, load, loaded, upright);
         holding: HeldAtRest<C> = HeldAtRest::new(psi, load, luffed, luffed_rates, crane, posture);
@@ -83,6 +94,12 @@ stages! {
         residual: C = residual(floating, loaded, posture, ends) => A_RES;
         lost: LoadLost<C> = LoadLost::new(floating, loaded, posture, ends, rule[!]);
         struck: Gust<C> = Gust::new(floating, loaded, posture, ends, gust[!], wind[!], areas);
+        bare: Given<C> = bare(
+            reach, place, height, turning, density, built, masses, tanks, wind, areas, tow, flooded, openings, limit, rule,
+            gust, gravity, held, offsets, luffer) => _;
+        hulls: Vec<Given<C>> = hulls(bare, planned, loads, hangs, winds, gusts, pulls) => _;
+        still: Vec<Option<CaseOutcome<C>>> = still(hulls, planned) => _;
+        outcomes[loads]: Vec<CaseOutcome<C>> = outcomes(psi, hulls, still, planned);
         riding: RidingHull<C> = RidingHull::new(moved[!], dead);
         wetted: WettedHull<C> = WettedHull::new(floating, riding);
         clear: C = clearing(floating, riding) => F_M;
@@ -97,6 +114,224 @@ stages! {
         drives: DriveMoments<C> = DriveMoments::new(carrying, swaying, luffs);
         rates: SwayingRates<C> = SwayingRates::new(omega, moved[!], swaying, luffing, luffs[?]);
     }
+}
+
+/// A load case, by all stages of the hull as it is given in that case.
+struct AtCase;
+
+impl Finding<{ NAMES.len() }> for AtCase {
+    type From<C: Calc> = Given<C>;
+    const NAMES: [&'static Symbol; NAMES.len()] = NAMES;
+
+    fn map<C: Calc, D: Calc>(given: &Given<C>, f: &mut dyn FnMut(C) -> D) -> Given<D> {
+        FloatingCrane::map(given, &mut |_, _, value| f(value))
+    }
+
+    fn find<C: Scalar>(given: &Given<C>) -> Result<[C; NAMES.len()], Fault> {
+        at_case(given).map_err(|fault| *fault)
+    }
+}
+
+/// One of the results of a hull.
+fn result<C: Scalar>(known: &mut Known<C>, symbol: &'static Symbol, of: u16) -> Found<C> {
+    let row = |stage: &Stage| stage.rows.iter().position(|row| *row == symbol);
+    let mut all = (0..).zip(FloatingCrane::STAGES);
+    let (stage, row, sources) = all
+        .find_map(|(i, stage)| Some((i, row(stage)? as u8, stage.sources)))
+        .ok_or_else(absent)?;
+    let (slot, mut value) = (
+        Slot {
+            stage,
+            row,
+            of,
+            sources,
+        },
+        C::constant(0.0),
+    );
+    FloatingCrane::result(known, &slot, &mut value)?;
+    Ok(value)
+}
+
+/// What is found of a hull as it is given, in the order of [`NAMES`]; what it does not model is infinite.
+/// ρ = A_II/(k_A A_I + c_A).
+fn at_case<C: Scalar>(given: &Given<C>) -> Found<[C; NAMES.len()]> {
+    let mut known = FloatingCrane::new(given.clone());
+    let mut of = |there: bool, symbol| match there {
+        true => result(&mut known, symbol, 0),
+        false => Ok(C::constant(f64::INFINITY)),
+    };
+    let (counts, loses, struck) = (given.limit.is_some(), given.rule.is_some(), given.gust.is_some());
+    let [heel, trim, freeboard, height] = [
+        of(true, &s::PHI)?,
+        of(true, &s::THETA)?,
+        of(true, &s::F_LOW)?,
+        of(true, &s::GM)?,
+    ];
+    let residual = of(counts, &s::A_RES)?;
+    let [rolls, drives, stops] = [of(loses, &s::PHI_2)?, of(loses, &s::A_I)?, of(loses, &s::A_II)?];
+    let [dynamic, safety] = [of(struck, &s::PHI_DYN)?, of(struck, &s::K_C)?];
+    let asked = given.rule.map_or(C::constant(0.0), |rule| rule.k_a * drives + rule.c_a);
+    let ratio = if asked.value() > 0.0 {
+        stops / asked
+    } else {
+        C::constant(f64::INFINITY)
+    };
+    let mut least = |symbol| {
+        let each = (0..given.openings.len() as u16).map(|of| result(&mut known, symbol, of));
+        each.reduce(|one, other| Ok(one?.smaller(other?)))
+            .unwrap_or(Ok(C::constant(f64::INFINITY)))
+    };
+    let (high, floods) = (least(&s::F_O)?, least(&s::PHI_O)?);
+    Ok([
+        heel, trim, freeboard, high, floods, residual, rolls, dynamic, safety, height, ratio,
+    ])
+}
+
+/// The hull as it is given, at rest, without its load and without further cases.
+#[expect(clippy::too_many_arguments, reason = "all that a hull at rest is given")]
+fn bare<C: Calc>(
+    reach: &Option<One<C>>,
+    place: &CranePlace<C>,
+    height: &One<C>,
+    turning: &[TurningMass<C>],
+    density: &One<C>,
+    built: &Option<BoxHull<C>>,
+    masses: &[HullMass<C>],
+    tanks: &[TankGiven<C>],
+    wind: &Option<HullWind<C>>,
+    areas: &[WindageArea<C>],
+    tow: &Option<HullTow<C>>,
+    flooded: &[FloodedSpace<C>],
+    openings: &[Opening<C>],
+    limit: &Option<One<C>>,
+    rule: &Option<LossRule<C>>,
+    gust: &Option<GustGiven<C>>,
+    gravity: &One<C>,
+    held: &Option<One<C>>,
+    offsets: &Option<Offsets>,
+    luffer: &Option<Luffer>,
+) -> Given<C> {
+    Given {
+        psi: One(&s::PSI_SL, C::constant(0.0)),
+        omega: One(&s::OMEGA_SL, C::constant(0.0)),
+        reach: *reach,
+        load: One(&s::Q, C::constant(0.0)),
+        place: *place,
+        height: *height,
+        turning: turning.to_vec(),
+        density: *density,
+        built: *built,
+        masses: masses.to_vec(),
+        tanks: tanks.to_vec(),
+        wind: *wind,
+        areas: areas.to_vec(),
+        tow: *tow,
+        flooded: flooded.to_vec(),
+        heels: Vec::new(),
+        openings: openings.to_vec(),
+        limit: *limit,
+        rule: *rule,
+        gust: *gust,
+        gravity: *gravity,
+        loads: Vec::new(),
+        hangs: Vec::new(),
+        winds: Vec::new(),
+        gusts: Vec::new(),
+        pulls: Vec::new(),
+        buoyed: None,
+        servo: None,
+        luffing_servo: None,
+        command: None,
+        luffing_command: None,
+        held: *held,
+        moved: None,
+        roped: None,
+        luffing: None,
+        offsets: offsets.clone(),
+        luffer: luffer.clone(),
+        planned: PlannedCases::default(),
+        inputs: MadeInputs(Vec::new()),
+    }
+}
+
+/// The hull as it is given in each of the further load cases.
+fn hulls<C: Calc>(
+    bare: &Given<C>,
+    planned: &PlannedCases,
+    loads: &[One<C>],
+    hangs: &[One<C>],
+    winds: &[CaseWind<C>],
+    gusts: &[One<C>],
+    pulls: &[One<C>],
+) -> Vec<Given<C>> {
+    let of = |(i, case): (usize, &PlannedCase)| {
+        let mut given = bare.clone();
+        given.psi.1 = case.psi.map_or(given.psi.1, C::constant);
+        given.load.1 = loads[i].1;
+        let hung = given.held.as_mut().or(given.reach.as_mut());
+        hung.into_iter()
+            .zip(hangs.get(i))
+            .for_each(|(own, hangs)| own.1 = hangs.1);
+        if let (Some(own), Some(wind)) = (&mut given.wind, winds.get(i)) {
+            (own.p_w, own.chi_w) = (wind.p_wk, wind.chi_wk);
+        }
+        if let (Some(own), Some(gust)) = (&mut given.gust, gusts.get(i)) {
+            own.p_g = gust.1;
+        }
+        if let (Some(own), Some(pull)) = (&mut given.tow, pulls.get(i)) {
+            own.f_p = pull.1;
+        }
+        given.openings = acting(&bare.openings, &case.open).copied().collect();
+        given.planned.flooded.clone_from(&case.flooded);
+        given
+    };
+    planned.further.iter().enumerate().map(of).collect()
+}
+
+/// What a load case, numbered from 0, comes to.
+fn outcome<C: Scalar>(given: &Given<C>, planned: &PlannedCases, case: usize) -> Result<CaseOutcome<C>, Fault> {
+    C::body(case, || {
+        let found = found::<AtCase, C, { NAMES.len() }>(given)?;
+        Ok(CaseOutcome::new(found, &planned.further[case], given.rule.is_some()))
+    })
+    .map_err(|fault: Fault| Fault {
+        message: format!("load case {}: {}", case + 1, fault.message),
+        ..fault
+    })
+}
+
+/// The cases with a slewing angle of their own, which no other one changes.
+///
+/// # Errors
+/// A case that cannot be, with its number.
+fn still<C: Scalar>(hulls: &[Given<C>], planned: &PlannedCases) -> Result<Vec<Option<CaseOutcome<C>>>, Fault> {
+    let own = |(case, given): (usize, &Given<C>)| {
+        let psi = planned.further[case].psi;
+        psi.map(|_| outcome(given, planned, case)).transpose()
+    };
+    hulls.iter().enumerate().map(own).collect()
+}
+
+/// All further load cases.
+///
+/// # Errors
+/// As [`still`].
+fn outcomes<C: Scalar>(
+    psi: &One<C>,
+    hulls: &[Given<C>],
+    still: &[Option<CaseOutcome<C>>],
+    planned: &PlannedCases,
+    room: &mut Vec<CaseOutcome<C>>,
+) -> Result<(), Fault> {
+    room.clear();
+    for (case, (given, still)) in hulls.iter().zip(still).enumerate() {
+        let turned = || Given {
+            psi: *psi,
+            ..given.clone()
+        };
+        room.push(still.map_or_else(|| outcome(&turned(), planned, case), Ok)?);
+    }
+    Ok(())
 }
 
 impl Component for FloatingCrane {
@@ -120,7 +355,11 @@ impl Component for FloatingCrane {
         (given.wind.is_some() || !there(listed!(s: M_W)))
             && (given.tow.is_some() || !there(listed!(s: M_P)))
             && (!given.tanks.is_empty() || !there(listed!(s: GG, GG_L)))
-            && (!given.flooded.is_empty() || !there(listed!(s: Y_B)))
+            && (given.planned.flooded.contains(&true) || !there(listed!(s: Y_B)))
+            && (!given.openings.is_empty() || !there(listed!(s: F_OK, PHI_OK)))
+            && (given.limit.is_some() || !there(listed!(s: A_K)))
+            && (given.rule.is_some() || !there(listed!(s: PHI_2K, RHO_K)))
+            && (given.gust.is_some() || !there(listed!(s: PHI_DK, K_CK)))
             && (!given.turning.is_empty() || !there(listed!(s: M_ETA)))
             && (given.luffer.is_some() || !there(listed!(s: H_S)))
             && (given.luffing.is_some() || !there(listed!(s: D_THETA_1, D_OMEGA_1)))

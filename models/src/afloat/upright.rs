@@ -1,6 +1,6 @@
 //! The upright hull and its metacentric heights.
 
-use crate::afloat::hull::{Floating, FloodedSpace};
+use crate::afloat::hull::Floating;
 use crate::afloat::loaded::Loaded;
 use crate::afloat::rest::quiet;
 use crate::afloat::symbols as s;
@@ -128,16 +128,15 @@ impl<C: Scalar> Upright<C> {
         density: &One<C>,
         gravity: &One<C>,
         tanks: &[TankGiven<C>],
-        flooded: &[FloodedSpace<C>],
         loaded: &Loaded<C>,
     ) -> Result<Upright<C>, Fault> {
         let weight = loaded.all.weight;
         let volume = (weight / (**density * **gravity)).def(&s::NABLA);
         let hull = found::<Floated, C, 8>(&(on.clone(), volume))?;
-        let aside = match flooded {
-            [] => None,
-            _ => Some(found::<Aside, C, 1>(&(on.clone(), hull[0]))?[0]),
-        };
+        let aside = (on.is_open())
+            .then(|| found::<Aside, C, 1>(&(on.clone(), hull[0])))
+            .transpose()?
+            .map(|[aside]| aside);
         let [_, _, buoyancy, _, across, along, ..] = hull;
         let radius = [(across / volume).def(&s::BM), (along / volume).def(&s::BM_L)];
         let lost = (!tanks.is_empty()).then(|| {

@@ -3,6 +3,7 @@
 
 use num_dual::{Dual2, Dual2_64};
 
+use crate::bridge::slung::Slung;
 use crate::bridge::stages::Given;
 use crate::bridge::suspension::Suspended;
 use crate::bridge::swing::length;
@@ -184,6 +185,37 @@ pub(super) fn lengths(given: &Given<f64>) -> Vec<Section> {
         }
     };
     told.map(section).into()
+}
+
+/// What starts leave of the travel of a load on slings, at both frequencies: of those made for the period of the one and of the
+/// other.
+pub(super) fn slung_starts(given: &Given<f64>) -> Option<Table> {
+    let (_, hanging) = on(given, 1.0)?;
+    let it = given;
+    let slung = Slung::new(
+        it.slings.as_ref()?,
+        &it.unit,
+        &it.command,
+        &it.ropes,
+        &it.gravity,
+        &hanging,
+    )
+    .ok()?;
+    let row = |(number, start): (u32, Start)| {
+        let left = |period: f64| {
+            let [rate, _] = start.timed(told(given), period);
+            let of = |at: usize| {
+                slung.steady[at].abs() * rate / *it.gravity * start.left(told(given), slung.frequency[at], period)
+            };
+            [of(0), of(1)]
+        };
+        let [own, other] = slung.period.map(left);
+        [&[f64::from(number)][..], &own, &other].concat()
+    };
+    Some(Table {
+        columns: listed!(s: NUMBER, X_11, X_12, X_21, X_22).to_vec(),
+        rows: (1..).zip(Start::ALL).map(row).collect(),
+    })
 }
 
 /// Steps of the acceleration one by one, as arrows, against the closed form of what starts leave for the simple pendulum's period,

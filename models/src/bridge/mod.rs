@@ -24,6 +24,7 @@
 //! | `bridge.wheels` | [`trolley::Grip::new`] | Coulomb |
 //! | `bridge.tow` | [`tow::TowRun::new`] | parabola; Hooke |
 //! | `bridge.suspension` | [`suspension::Suspended::new`], [`suspension::Skew::new`] | Lagrange |
+//! | `bridge.slings` | [`slung::Slung::new`] | Lagrange |
 //! | `bridge.brakes` | [`brakes::TrolleyBraking::new`], [`brakes::holds`] | Newton and Euler; Coulomb |
 //! | `bridge.list` | [`listing::Listing::new`] | equilibrium |
 //! | `bridge.profiles` | [`profiles::CycleTime::new`], [`profiles::Profiles::new`] | linear oscillator |
@@ -36,6 +37,7 @@ pub mod listing;
 mod outline;
 pub mod profiles;
 pub mod scene;
+pub mod slung;
 pub mod stages;
 pub mod suspension;
 pub mod swing;

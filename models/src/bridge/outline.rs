@@ -5,13 +5,17 @@ use crate::component::outline::Explained::Stage;
 use crate::component::outline::{Greatest, Limit, Most, Outline, chapters};
 use crate::kernel::symbol::listed;
 
+/// The section of spreader and load as two bodies, with what starts leave in its table.
+pub const SLINGS: &str = "bridge_slings";
+
 pub const OUTLINE: Outline = Outline {
     inputs: chapters!(
-        bridge "", load "Q", bridge_tow "tow", bridge_wheels "driven", bridge_sheaves "sheaves", bridge_brakes "brakes", bridge_ropes "ropes",
+        bridge "", load "Q", bridge_tow "tow", bridge_wheels "driven", bridge_sheaves "sheaves", bridge_brakes "brakes", bridge_ropes "ropes", bridge_slings "slings",
         bridge_travel "profile", hook, motion, limits
     ),
     constants: &[
         ("bridge_suspension", &[Stage("hanging")]),
+        (SLINGS, &[Stage("slung")]),
         ("bridge_skew", &[Stage("skew")]),
         ("bridge_profiles", &[Stage("profiles")]),
         ("bridge_feedback", &[Stage("damped")]),

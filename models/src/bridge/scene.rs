@@ -1,10 +1,11 @@
 //! The trolley of a container bridge as scenes describe it and books tell it.
 
 use crate::bridge::brakes::TrolleyBrakes;
-use crate::bridge::compared::{compared, four_bar, lengths, steps_apart};
+use crate::bridge::compared::{compared, four_bar, lengths, slung_starts, steps_apart};
 use crate::bridge::given::{BridgeTrolley, DrivenWheels, PassedSheaves, SheaveCount, TrolleyCommand};
-use crate::bridge::outline::OUTLINE;
+use crate::bridge::outline::{OUTLINE, SLINGS};
 use crate::bridge::profiles::TravelProfile;
+use crate::bridge::slung::LoadSlings;
 use crate::bridge::stages::{ContainerBridge, Given};
 use crate::bridge::suspension::{FourRopes, RopesLength, Suspended};
 use crate::bridge::swing::length;
@@ -56,6 +57,7 @@ pub const KEYS: &[Key] = keys! { s:
     Key::part("sheaves", OVER, "The sheaves that the hoisting ropes pass as the trolley travels."),
     Key::part("brakes", BRAKES, "The brakes of the trolley's travel; of driven wheels these are braked."),
     Key::table("ropes", ROPES, "The four ropes on which the spreader hangs."),
+    Key::part("slings", HUNG, "Slings on which the load hangs below the spreader: two bodies that sway. Ropes' e_q and i_q are those of both as one."),
     Key::table("profile", PROFILE, "Speed, acceleration and way of the trolley."),
     Key::part("dynamics", DYNAMICS, "How the motion is solved."),
     Key::table("motion", MOTION, "Working range of the trolley's place."),
@@ -67,6 +69,7 @@ static DRIVEN: &[Key] = keys! { s: N_DR > 0, MU_A > 0 [usually(0.14)] };
 static OVER: &[Key] =
     keys! { s: ETA_R > 0 [usually(0.98)]; Key::new("count", Kind::Count([1, 12]), "How many a rope passes.") };
 static ROPES: &[Key] = keys! { s: L_R > 0, A_O > 0, A_U > 0, B_O > 0, B_U > 0, E_Q >= 0, I_Q > 0, I_Z > 0, D_Q [usually(0.0)], E_X [usually(0.0)] };
+static HUNG: &[Key] = keys! { s: L_S > 0, E_S >= 0 [usually(0.0)], E_1 >= 0 [usually(0.0)], I_1 > 0 };
 static BRAKES: &[Key] = keys! { s: F_BR > 0 };
 static PROFILE: &[Key] = keys! { s: V_C > 0, A_C > 0, S_C > 0, T_E >= 0 [usually(0.0)] };
 static DYNAMICS: &[Key] = keys! { s: STEP > 0 };
@@ -211,6 +214,7 @@ impl Described for BridgeScene {
             brakes: v.part("brakes", TrolleyBrakes::read)?,
             ropes,
             reeved: (!moves).then_some(reeved),
+            slings: v.part("slings", LoadSlings::read)?,
             profile: TravelProfile::read(profile?)?,
             feedback: moves.then_some(Feedback { zeta: n(&s::ZETA_F) }),
             swaying: moves.then_some(SwayingLoad {
@@ -275,7 +279,8 @@ impl Described for BridgeScene {
             .swaying
             .map_or("bridge_level_static", |_| "bridge_level_swing");
         let rope = this.given.tow.map(|_| "bridge_tow");
-        let all = [Some(level), rope, Some("bridge_ropes"), Some("bridge_small")];
+        let slung = this.given.slings.map(|_| "bridge_slung");
+        let all = [Some(level), rope, Some("bridge_ropes"), Some("bridge_small"), slung];
         all.into_iter().flatten().collect()
     }
 
@@ -370,6 +375,9 @@ impl Described for BridgeScene {
             let mut plain = fed.clone();
             plain.own.given.feedback = this.given.feedback.map(|_| Feedback { zeta: 0.0 });
             section.table = compared([&plain, &fed], &this.given);
+        }
+        if let Some(section) = sheet.constants.iter_mut().find(|section| section.id == SLINGS) {
+            section.table = slung_starts(&this.given);
         }
         let own = lengths(&this.given);
         sheet.constants.splice(after..after, own);

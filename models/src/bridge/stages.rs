@@ -5,6 +5,7 @@ use crate::bridge::brakes::{TrolleyBrakes, TrolleyBraking, holds};
 use crate::bridge::given::{BridgeTrolley, DrivenWheels, PassedSheaves, SheaveCount, TrolleyCommand};
 use crate::bridge::listing::Listing;
 use crate::bridge::profiles::{CycleTime, Profiles, TravelProfile};
+use crate::bridge::slung::{LoadSlings, Slung};
 use crate::bridge::suspension::{FourRopes, RopesLength, Skew, Suspended};
 use crate::bridge::swing::{DriveInMotion, Travelling, answer, damped, length, swung, travelling};
 use crate::bridge::symbols as s;
@@ -30,6 +31,7 @@ stages! {
         Parameter brakes: Option<TrolleyBrakes<C>>,
         Parameter ropes: FourRopes<C>,
         Parameter reeved: Option<RopesLength<C>>,
+        Parameter slings: Option<LoadSlings<C>>,
         Parameter profile: TravelProfile<C>,
         Parameter feedback: Option<Feedback<C>>,
         State swaying: Option<SwayingLoad<C>>,
@@ -37,6 +39,7 @@ stages! {
     } find {
         length: C = length(reeved, swaying) => _;
         hanging: Suspended<C> = Suspended::new(ropes, gravity, length);
+        slung: Slung<C> = Slung::new(slings[!], unit, command, ropes, gravity, hanging);
         skew: Skew<C> = Skew::new(ropes, gravity, command, length, hanging);
         cycle: CycleTime<C> = CycleTime::new(profile);
         profiles: Profiles<C> = Profiles::new(profile, gravity, hanging);

@@ -46,6 +46,10 @@ symbols! {
     A_C: "a_c" "a_\"c\"" M_PER_S2 / M_PER_S2 [positive], "Acceleration of a start.", "input";
     S_C: "s_c" "s_\"c\"" M / M [positive], "Way of the trolley from ship to quay.", "input";
     T_E: "t_e" "t_\"e\"" S / S [not_negative], "Time of a cycle besides the travel of the trolley.", "input";
+    L_S: "l_s" "l_\"s\"" M / M [positive], "Length of the slings, from the spreader to the load's centre of gravity.", "input";
+    E_S: "e_s" "e_\"s\"" M / M [not_negative], "Joints of the slings, below the spreader's rope joints.", "input";
+    E_1: "e_1" "e_1" M / M [not_negative], "Centre of gravity of the spreader alone, below its rope joints.", "input";
+    I_1: "i_1" "i_1" M / M [positive], "Radius of gyration of the spreader alone in the plane of the travel.", "input";
     STEP: "step" "h" S / S [positive], "Longest step of the solver.", "input";
 
     // The trolley.
@@ -107,6 +111,25 @@ symbols! {
     OMEGA_Z: "omega_z" "omega_z" RAD_PER_S / RAD_PER_S [positive], "Frequency of small skew: spreader and container turn about the vertical.", "Lagrange";
     T_Z: "T_z" "T_z" S / S [positive], "Period of small skew.", "derived";
     PSI_Z: "psi_z" "psi_z" RAD / DEG, "Skew while the trolley accelerates steadily, its load out of the middle.", "equilibrium";
+
+    // Spreader and load as two bodies.
+    MU_S: "mu_s" "mu_\"s\"" ONE / ONE [positive], "Weight of the spreader over that of the load.", "derived";
+    A_S: "a_s" "a" ONE / ONE, "Mass of both bodies that travels with the spreader, over that of the load.", "Lagrange";
+    B_S: "b_s" "b" ONE / ONE, "Travel of the slings' joints over that of the spreader's middle.", "derived";
+    P_S: "p_s" "p" PER_S2 / PER_S2, "What brings both bodies back on the ropes, over the load's mass.", "Lagrange";
+    Q_S: "q_s" "q" PER_S2 / PER_S2, "What brings the load back on its slings, over its mass.", "Lagrange";
+    OMEGA_S1: "omega_s1" "omega_(\"s\" 1)" RAD_PER_S / RAD_PER_S [positive], "Lower frequency of small sway of spreader and load as two bodies.", "Lagrange";
+    OMEGA_S2: "omega_s2" "omega_(\"s\" 2)" RAD_PER_S / RAD_PER_S [positive], "Upper frequency of small sway of spreader and load as two bodies.", "Lagrange";
+    T_S1: "T_s1" "T_(\"s\" 1)" S / S [positive], "Period of the lower frequency.", "derived";
+    T_S2: "T_s2" "T_(\"s\" 2)" S / S [positive], "Period of the upper frequency.", "derived";
+    SIGMA_S1: "sigma_s1" "sigma_1" ONE / ONE, "Travel of the load by its slings over that of the spreader, at the lower frequency.", "Lagrange";
+    SIGMA_S2: "sigma_s2" "sigma_2" ONE / ONE, "Travel of the load by its slings over that of the spreader, at the upper frequency.", "Lagrange";
+    GAMMA_S1: "gamma_s1" "gamma_1" M / M, "Travel by which the load would hang back at the lower frequency under a steady acceleration of g.", "Lagrange";
+    GAMMA_S2: "gamma_s2" "gamma_2" M / M, "Travel by which the load would hang back at the upper frequency under a steady acceleration of g.", "Lagrange";
+    X_11: "x_11" "x_(1 1)" M / M [not_negative], "Travel of the load that a start leaves at the lower frequency where it is made for the period of that.", "equations of motion";
+    X_12: "x_12" "x_(1 2)" M / M [not_negative], "Travel of the load that a start leaves at the upper frequency where it is made for the period of the lower one.", "equations of motion";
+    X_21: "x_21" "x_(2 1)" M / M [not_negative], "Travel of the load that a start leaves at the lower frequency where it is made for the period of the upper one.", "equations of motion";
+    X_22: "x_22" "x_(2 2)" M / M [not_negative], "Travel of the load that a start leaves at the upper frequency where it is made for the period of that.", "equations of motion";
 
     // Cycle and profiles.
     T_TR: "t_tr" "t_\"tr\"" S / S, "Time of the way, from rest to rest.", "derived";

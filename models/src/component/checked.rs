@@ -45,6 +45,7 @@ impl Summary {
 }
 
 /// A check with its limit.
+#[derive(Clone, Copy)]
 pub struct Check {
     /// Id of the sentence that says what is checked.
     pub id: &'static str,

@@ -24,7 +24,7 @@ pub trait Finding<const N: usize>: 'static {
 
     /// # Errors
     /// Where there is no such thing.
-    fn find<C: Calc>(from: &Self::From<C>) -> Result<[C; N], Fault>;
+    fn find<C: Scalar>(from: &Self::From<C>) -> Result<[C; N], Fault>;
 }
 
 type Finder<F, C, const N: usize> = fn(&<F as Finding<N>>::From<C>) -> Result<[C; N], Fault>;

@@ -18,6 +18,8 @@ use crate::kernel::text::Text;
 pub struct Sheet {
     /// Inputs in the order of the scene's chapters.
     pub inputs: Vec<Input>,
+    /// What the scene gives in lists of points, by the chapters of inputs.
+    pub lists: Vec<(&'static str, Table)>,
     /// Chapters of inputs that only levels in motion use, which this sheet does not calculate.
     pub uncalculated: Vec<&'static str>,
     /// What given quantities that are in no formula are for: see [`Outline`](crate::component::outline::Outline).
@@ -208,7 +210,10 @@ pub struct BalanceSheet {
 }
 
 /// What is asked of the machine in cases that the scene names.
+#[derive(Default)]
 pub struct CasesSheet {
+    /// Group of the words that speak of them.
+    pub words: &'static str,
     pub names: Vec<Text>,
     /// What is given of each case.
     pub given: Table,
@@ -223,6 +228,24 @@ pub struct CasesSheet {
     /// Over the working range, for each case: id of the caption, number of the case from 0, and the results.
     pub ranges: Vec<(&'static str, usize, Table)>,
     pub curves: Vec<Curve>,
+    /// What each case must keep.
+    pub judged: Vec<JudgedCase>,
+}
+
+impl CasesSheet {
+    /// What uses most of its limit.
+    #[must_use]
+    pub fn governs(&self) -> Option<&JudgedCase> {
+        let finite = self.judged.iter().filter(|one| one.check.utilisation().is_finite());
+        finite.max_by(|one, other| one.check.utilisation().total_cmp(&other.check.utilisation()))
+    }
+}
+
+/// What a case, from 0, must keep, and the criterion that asks for it, as far as the scene names one.
+pub struct JudgedCase {
+    pub case: usize,
+    pub check: Check,
+    pub criterion: Option<Text>,
 }
 
 /// Formulas of the case, from 0, and at the place of the coordinate where most is asked.

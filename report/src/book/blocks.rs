@@ -1,6 +1,7 @@
 //! What chapters are made of.
 
 use lemnis_models::component::sheet;
+use lemnis_models::kernel::number::short;
 use lemnis_models::kernel::symbol::Symbol;
 use serde::Serialize;
 
@@ -102,6 +103,17 @@ pub(super) fn table(numbers: &Numbers, table: &sheet::Table) -> Table {
     Table {
         columns: table.columns.iter().map(|&symbol| symbol.into()).collect(),
         rows: (0..table.rows.len()).map(row).collect(),
+    }
+}
+
+/// What is given, to the last digit.
+pub(super) fn given(numbers: &Numbers, table: &sheet::Table) -> Table {
+    let cell = |(symbol, value): (&&'static Symbol, &f64)| numbers.language.text(&short(symbol.shown(*value)));
+    Table {
+        columns: table.columns.iter().map(|&symbol| symbol.into()).collect(),
+        rows: (table.rows.iter())
+            .map(|row| table.columns.iter().zip(row).map(cell).collect())
+            .collect(),
     }
 }
 

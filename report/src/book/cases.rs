@@ -1,16 +1,19 @@
 //! Cases: what is given of each, what is asked at most, over the range, and where most is asked in full.
 
-use lemnis_models::component::sheet::{self, Sheet};
+use lemnis_models::component::sheet::{self, CasesSheet, Sheet};
 use lemnis_models::kernel::symbol::Symbol;
 use serde::Serialize;
 
 use crate::book::blocks::{Figure, Quantity, Range, Table, range, table};
 use crate::book::notation::Notation;
 use crate::book::steps::{Section, sections};
+use crate::book::verdict::{Check, check};
 use crate::print::number::Numbers;
 
 #[derive(Serialize)]
 pub(super) struct Cases {
+    /// Group of the words that speak of them.
+    words: &'static str,
     names: Vec<String>,
     /// A row for each quantity, a cell for each case.
     given: Vec<Row>,
@@ -21,6 +24,15 @@ pub(super) struct Cases {
     beside: Vec<Extremes>,
     ranges: Vec<OfCase>,
     curves: Vec<Figure>,
+    judged: Vec<Judged>,
+}
+
+/// What a case must keep, and the criterion that asks for it, as far as it is known.
+#[derive(Serialize)]
+struct Judged {
+    case: String,
+    check: Check,
+    criterion: Option<String>,
 }
 
 #[derive(Serialize)]
@@ -102,6 +114,35 @@ impl Worked {
     }
 }
 
+/// All symbols of the chapter's tables and curves.
+fn meet(cases: &CasesSheet, notation: &mut Notation) {
+    let drawn = cases.curves.iter().flat_map(|curve| [curve.x, curve.y]);
+    let terms = cases.worked.iter().flat_map(|worked| &worked.terms);
+    let terms = terms.flat_map(|(_, _, table)| table.columns.iter().copied());
+    let taken = cases
+        .worked
+        .iter()
+        .flat_map(|worked| &worked.taken)
+        .map(|(symbol, _)| *symbol);
+    let given = cases.given.columns.iter().copied();
+    let greatest = cases
+        .greatest
+        .iter()
+        .chain(&cases.beside)
+        .filter_map(|row| Some(row.first()?.symbol));
+    let coefficients = cases.unconfirmed.iter().map(|(symbol, ..)| *symbol);
+    for symbol in drawn
+        .chain(terms)
+        .chain(taken)
+        .chain(given)
+        .chain(greatest)
+        .chain(coefficients)
+        .chain(cases.judged.iter().map(|one| one.check.symbol))
+    {
+        notation.meet(symbol);
+    }
+}
+
 impl Cases {
     pub(super) fn of(numbers: &Numbers, sheet: &Sheet, full: bool, notation: &mut Notation) -> Option<Cases> {
         let cases = sheet.cases.as_ref()?;
@@ -111,30 +152,7 @@ impl Cases {
         for one in &cases.worked {
             worked.push(Worked::of(numbers, sheet, one, name(one.case), notation));
         }
-        let drawn = cases.curves.iter().flat_map(|curve| [curve.x, curve.y]);
-        let terms = cases.worked.iter().flat_map(|worked| &worked.terms);
-        let terms = terms.flat_map(|(_, _, table)| table.columns.iter().copied());
-        let taken = cases
-            .worked
-            .iter()
-            .flat_map(|worked| &worked.taken)
-            .map(|(symbol, _)| *symbol);
-        let given = cases.given.columns.iter().copied();
-        let greatest = cases
-            .greatest
-            .iter()
-            .chain(&cases.beside)
-            .filter_map(|row| Some(row.first()?.symbol));
-        let coefficients = cases.unconfirmed.iter().map(|(symbol, ..)| *symbol);
-        for symbol in drawn
-            .chain(terms)
-            .chain(taken)
-            .chain(given)
-            .chain(greatest)
-            .chain(coefficients)
-        {
-            notation.meet(symbol);
-        }
+        meet(cases, notation);
         let row = |(i, symbol): (usize, &&'static Symbol)| Row {
             quantity: (*symbol).into(),
             values: cases
@@ -161,6 +179,7 @@ impl Cases {
             all.iter().filter_map(row).collect()
         };
         Some(Cases {
+            words: cases.words,
             names: (0..cases.names.len()).map(name).collect(),
             given: cases.given.columns.iter().enumerate().map(row).collect(),
             unconfirmed: (cases.unconfirmed.iter())
@@ -182,6 +201,13 @@ impl Cases {
                 })
                 .collect(),
             curves: cases.curves.iter().map(|curve| Figure::new(numbers, curve)).collect(),
+            judged: (cases.judged.iter())
+                .map(|one| Judged {
+                    case: name(one.case),
+                    check: check(numbers, &one.check, None),
+                    criterion: (one.criterion.as_ref()).map(|text| text.of(numbers.language.code).to_owned()),
+                })
+                .collect(),
         })
     }
 }

@@ -10,7 +10,7 @@ use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::kernel::unit::{self, Unit};
 use serde::Serialize;
 
-use crate::book::blocks::{Drawn, Figure, Quantity, Summary, Table, sparse, summary, table};
+use crate::book::blocks::{Drawn, Figure, Quantity, Summary, Table, given, sparse, summary, table};
 use crate::book::notation::{Notation, named};
 use crate::print::drawing::{HALF, drawing};
 use crate::print::number::{self, Numbers, measured};
@@ -26,6 +26,8 @@ pub(super) struct Chapter {
     /// Whether some come from elsewhere.
     mixed: bool,
     inputs: Vec<Input>,
+    /// What the scene gives in a list of points.
+    list: Option<Table>,
     /// Those that no formula has.
     uses: Vec<Use>,
 }
@@ -159,12 +161,17 @@ struct ComparedRow {
 pub(super) fn inputs(numbers: &Numbers, sheet: &Sheet, chapters: &[&str], notation: &mut Notation) -> Vec<Chapter> {
     let named = named(sheet, chapters);
     let chapter = |inputs: &[sheet::Input]| {
+        let list = sheet.lists.iter().find(|(id, _)| *id == inputs[0].chapter);
+        for symbol in list.iter().flat_map(|(_, list)| &list.columns) {
+            notation.meet(symbol);
+        }
         let mut chapter = Chapter {
             id: inputs[0].chapter,
             uncalculated: sheet.uncalculated.contains(&inputs[0].chapter),
             note: None,
             mixed: true,
             inputs: inputs.iter().map(|given| input(numbers, given, notation)).collect(),
+            list: list.map(|(_, list)| given(numbers, list)),
             uses: uses(sheet, inputs, &named),
         };
         // What all have in common is said once.

@@ -16,6 +16,8 @@ pub(super) struct Verdict {
     requirements: Vec<Check>,
     /// How many of them are kept.
     kept: usize,
+    /// Of the cases the one that uses most of a limit.
+    governs: Option<Governs>,
     /// Symbols of results that nothing is asked of.
     unjudged: Vec<&'static str>,
     identities: Vec<Check>,
@@ -29,7 +31,7 @@ pub(super) struct Verdict {
 }
 
 #[derive(Serialize)]
-struct Check {
+pub(super) struct Check {
     id: &'static str,
     symbol: &'static str,
     value: String,
@@ -52,6 +54,14 @@ struct Check {
     /// Whether what builds within the tolerances come to belongs to it, and does not keep to the limit where it does.
     spread: bool,
     exceeded: bool,
+}
+
+/// Name of the case, what of it is judged, and the part of what is allowed that is used, in percent.
+#[derive(Serialize)]
+struct Governs {
+    case: String,
+    id: &'static str,
+    utilisation: Option<String>,
 }
 
 /// What must be known before any result is believed.
@@ -78,6 +88,7 @@ impl Verdict {
         Verdict {
             kept: count(requirements, true),
             requirements: shown(requirements),
+            governs: governs(numbers, sheet),
             unjudged: unjudged.iter().map(|symbol| symbol.print).collect(),
             apart: count(identities, false),
             identities: shown(identities),
@@ -86,6 +97,16 @@ impl Verdict {
             spread,
         }
     }
+}
+
+fn governs(numbers: &Numbers, sheet: &Sheet) -> Option<Governs> {
+    let cases = sheet.cases.as_ref()?;
+    let most = cases.governs()?;
+    Some(Governs {
+        case: cases.names[most.case].of(numbers.language.code).to_owned(),
+        id: most.check.id,
+        utilisation: utilisation(&most.check).map(|part| numbers.language.text(&part)),
+    })
 }
 
 /// Id of the word for whether a requirement is met.
@@ -97,7 +118,8 @@ pub(crate) fn verdict(check: &sheet::Check) -> &'static str {
     }
 }
 
-fn check(numbers: &Numbers, check: &sheet::Check, dm_95: Option<f64>) -> Check {
+/// A check as it is printed, beside what builds within the tolerances come to.
+pub(super) fn check(numbers: &Numbers, check: &sheet::Check, dm_95: Option<f64>) -> Check {
     let spread = dm_95.filter(|_| check.symbol == &DM_MAX);
     let exceeded = check.passed() && spread.is_some_and(|spread| spread > check.limit);
     Check {

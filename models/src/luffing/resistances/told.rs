@@ -200,6 +200,7 @@ pub fn chapter<T: Described<Component: Resists>>(
         ranges.extend(all.filter(|(.., table)| table.columns.len() > 1));
     }
     Some(CasesSheet {
+        words: "cases",
         names: cases.names.clone(),
         given: given(cases),
         unconfirmed: (cases.unconfirmed.iter())
@@ -210,6 +211,7 @@ pub fn chapter<T: Described<Component: Resists>>(
         beside: beside.into_iter().filter(|all| !all.is_empty()).collect(),
         ranges,
         curves: lines(told, model, &mut peaks, &CURVES),
+        judged: Vec::new(),
     })
 }
 
