@@ -33,7 +33,7 @@ impl<const LOST: bool> Finding<1> for Flooding<LOST> {
 
 /// Heels (rad) up to which it is looked for, and the steps in which.
 const FARTHEST: f64 = 1.4;
-const STEP: f64 = 0.05;
+const STEP: f64 = 0.1;
 /// Steps of Newton's method, at most, and the last one (rad).
 const STEPS: usize = 60;
 const NEAR: f64 = 1e-13;
