@@ -12,7 +12,7 @@ from test_languages import LANGUAGES, book, text_of, without_input_file
 SCENES = sorted((ROOT / "models/scenes").glob("*.toml"))
 ORDER = [
     "results", "task", "inputs", "conventions", "views", "constants", "positions", "range", "charts", "forces", "sizing", "balance",
-    "cases", "motion", "cycle", "synthesis", "search", "study", "published", "sensitivity", "remarks", "notation",
+    "cases", "afloat_cases", "motion", "cycle", "synthesis", "search", "study", "published", "sensitivity", "remarks", "notation",
     "references", "identities",
 ]
 

@@ -436,7 +436,7 @@ fn the_ready_scene() {
     let scene = Scene::parse(READY).unwrap_or_else(|mistakes| panic!("{mistakes:?}"));
     assert_eq!(scene.levels(), ["static"]);
     let sheet = scene.sheet();
-    assert_eq!((sheet.identities.len(), sheet.requirements.len()), (2, 10));
+    assert_eq!((sheet.identities.len(), sheet.requirements.len()), (2, 11));
     for check in sheet.checks() {
         assert!(check.passed(), "{} by {}", check.id, check.value);
     }

@@ -295,7 +295,7 @@ fn what_cannot_be_is_refused() {
         ),
         (
             SECTOR.replace("r_s ", "s_d = \"3 m\"\nr_s "),
-            "a sector has no s_d, which is of a cylinder, rack, screw or crank",
+            "a sector has no s_d, which is of a cylinder, rack, screw, crank or rope",
         ),
         (
             READY.replace("chi_d ", "#"),
