@@ -145,7 +145,7 @@ pub fn start(c: &mut Node) -> bool {
 fn luffing_start(c: &mut Node) {
     let slips = start(c);
     if let Some(mut motor) = c.child("motor").filter(|_| slips) {
-        for (name, least, most) in [("l_M", 6e-3, 9e-3), ("P_N", 8e14, 9e14), ("n_N", 5.0, 10.0)] {
+        for (name, least, most) in [("l_M", 6e-3, 9e-3), ("P_N", 8e14, 9e14), ("n_N", 0.5, 1.0)] {
             let value = motor.draw.between(least, most);
             motor.set(name, value);
         }

@@ -922,13 +922,17 @@ fn limits(n: &mut Node, rope: bool) {
         .and_then(|balance| balance.text("kind").map(str::to_owned));
     let level = n.text("fidelity").map(str::to_owned);
     let screw = n.child("drive").is_some_and(|drive| drive.has("d_2"));
-    let torque = n.has("Q") && (screw || n.child("drive").is_some_and(|drive| drive.has("r_z")));
+    let winds = n.has("Q") && n.child("drive").is_some_and(|drive| drive.has("m_r"));
+    let torque = winds || n.has("Q") && (screw || n.child("drive").is_some_and(|drive| drive.has("r_z")));
     let Some(mut limits) = n.child("limits") else { return };
     if !torque {
         limits.remove(&["T_d_out_max", "T_d_in_max"]);
     }
     if !screw {
         limits.remove(&["lock_d"]);
+    }
+    if !winds {
+        limits.remove(&["S_l_max"]);
     }
     let none: &[&str] = match kind.as_deref() {
         None => &["dM_max", "gamma_min", "N_max"],
