@@ -66,14 +66,14 @@ symbols! {
     C_A: "c_A" "c_A" M_RAD / M_DEG [not_negative, unconfirmed], "Area by which the one that stops the roll after a loss of load must be greater than the one that drives it.", "[46 CFR 173, 173.025]";
 
     // Of a further load case.
-    Q_K: "Q_k" "Q_k" N / KN [not_negative], "Weight of the load with hook block or grab in a load case.", "input";
-    R_K: "R_k" "R_k" M / M, "Reach in a load case.", "input";
-    THETA_1K: "theta_1k" "theta_(1 k)" RAD / DEG, "Luffing angle in a load case.", "input";
-    PSI_K: "psi_k" "psi_k" RAD / DEG, "Slewing angle of a load case; without it the case holds all over the working range.", "input";
-    P_WK: "p_wk" "p_(\"w\" k)" PA / PA [not_negative], "Pressure of the wind in a load case.", "input";
-    CHI_WK: "chi_wk" "chi_(\"w\" k)" RAD / DEG, "Direction to which the wind blows in a load case, from the bow.", "input";
-    P_GK: "p_gk" "p_(g k)" PA / PA [not_negative], "Pressure of the sudden wind in a load case, besides the one that blows.", "input";
-    F_PK: "F_pk" "F_(p k)" N / KN [not_negative], "Pull of the tow rope in a load case.", "input";
+    Q_K: "Q_k" "Q_(k i)" N / KN [not_negative], "Weight of the load with hook block or grab in a load case.", "input";
+    R_K: "R_k" "R_(k i)" M / M, "Reach in a load case.", "input";
+    THETA_1K: "theta_1k" "theta_(1 k i)" RAD / DEG, "Luffing angle in a load case.", "input";
+    PSI_K: "psi_k" "psi_(k i)" RAD / DEG, "Slewing angle of a load case; without it the case holds all over the working range.", "input";
+    P_WK: "p_wk" "p_(\"w\" k i)" PA / PA [not_negative], "Pressure of the wind in a load case.", "input";
+    CHI_WK: "chi_wk" "chi_(\"w\" k i)" RAD / DEG, "Direction to which the wind blows in a load case, from the bow.", "input";
+    P_GK: "p_gk" "p_(g k i)" PA / PA [not_negative], "Pressure of the sudden wind in a load case, besides the one that blows.", "input";
+    F_PK: "F_pk" "F_(p k i)" N / KN [not_negative], "Pull of the tow rope in a load case.", "input";
 
     // Weights.
     W_0: "W_0" "W_0" N / KN, "Weight without load.", "derived";
@@ -169,18 +169,18 @@ symbols! {
     D_A: "d_A" "Delta A" M_RAD / M_DEG, "Area by which the one that stops the roll is greater than the criterion asks.", "[46 CFR 173, 173.025]";
 
     // Further load cases.
-    PHI_K: "phi_k" "phi_k" RAD / DEG, "Heel in a load case; positive lowers the left side.", "equilibrium";
-    THETA_K: "theta_k" "theta_k" RAD / DEG, "Trim in a load case; positive lowers the bow.", "equilibrium";
-    F_K: "f_k" "f_k" M / M, "Least freeboard of all points of the deck edge in a load case.", "derived";
-    F_OK: "f_ok" "f_(o k)" M / M [infinite("where none is open")], "Least height over the water of the openings that are open in a load case.", "derived";
-    PHI_OK: "phi_ok" "phi_(o k)" RAD / DEG [infinite("where none comes to the water up to 80°")], "Least heel at which an opening comes to the water in a load case.", "derived";
-    A_K: "A_k" "A_k" M_RAD / M_DEG, "Residual area in a load case.", "[46 CFR 173, 173.020]";
-    PHI_2K: "phi_2k" "phi_(2 k)" RAD / DEG, "Heel to which the hull rolls when the load is lost in a load case.", "virtual work";
-    PHI_DK: "phi_dk" "phi_(\"dyn\" k)" RAD / DEG, "Heel to which the hull rolls when the sudden wind strikes in a load case.", "virtual work";
-    K_CK: "K_ck" "K_(c k)" ONE / ONE [infinite("without a sudden wind")], "Moment that capsizes over that of the sudden wind in a load case.", "[Ports001, 7.3]";
-    GM_K: "GM_k" "\"GM\"_k" M / M, "Metacentric height in a load case, free surfaces counted.", "[Ports001, 7.3]";
-    RHO_K: "rho_k" "rho_k" ONE / ONE [infinite("where no load is lost")], "Area that stops the roll after a loss of load over the one that the criterion asks for.", "[46 CFR 173, 173.025]";
-    U_K: "u_k" "u_k" ONE / ONE, "Greatest utilisation of the criteria of a load case.", "derived";
+    PHI_K: "phi_k" "phi_(k i)" RAD / DEG, "Heel in a load case; positive lowers the left side.", "equilibrium";
+    THETA_K: "theta_k" "theta_(k i)" RAD / DEG, "Trim in a load case; positive lowers the bow.", "equilibrium";
+    F_K: "f_k" "f_(k i)" M / M, "Least freeboard of all points of the deck edge in a load case.", "derived";
+    F_OK: "f_ok" "f_(o k i)" M / M [infinite("where none is open")], "Least height over the water of the openings that are open in a load case.", "derived";
+    PHI_OK: "phi_ok" "phi_(o k i)" RAD / DEG [infinite("where none comes to the water up to 80°")], "Least heel at which an opening comes to the water in a load case.", "derived";
+    A_K: "A_k" "A_(k i)" M_RAD / M_DEG, "Residual area in a load case.", "[46 CFR 173, 173.020]";
+    PHI_2K: "phi_2k" "phi_(2 k i)" RAD / DEG, "Heel to which the hull rolls when the load is lost in a load case.", "virtual work";
+    PHI_DK: "phi_dk" "phi_(\"dyn\" k i)" RAD / DEG, "Heel to which the hull rolls when the sudden wind strikes in a load case.", "virtual work";
+    K_CK: "K_ck" "K_(c k i)" ONE / ONE [infinite("without a sudden wind")], "Moment that capsizes over that of the sudden wind in a load case.", "[Ports001, 7.3]";
+    GM_K: "GM_k" "\"GM\"_(k i)" M / M, "Metacentric height in a load case, free surfaces counted.", "[Ports001, 7.3]";
+    RHO_K: "rho_k" "rho_(k i)" ONE / ONE [infinite("where no load is lost")], "Area that stops the roll after a loss of load over the one that the criterion asks for.", "[46 CFR 173, 173.025]";
+    U_K: "u_k" "u_(k i)" ONE / ONE, "Greatest utilisation of the criteria of a load case.", "derived";
 
     // Sudden wind.
     M_G: "M_g" "M_g" N_M / KN_M, "Moment of the sudden wind on the upright hull, to the side to which it heels.", "equilibrium";
