@@ -4,8 +4,10 @@ import os
 import re
 import subprocess
 import tomllib
+from contextlib import closing
 from pathlib import Path
 
+import pypdfium2
 import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -41,6 +43,13 @@ def words(language):
         for group, some in tomllib.loads(path.read_text(encoding="utf-8")).items():
             groups.setdefault(group, {}).update(some)
     return groups
+
+
+def text_of(path):
+    """The text of every page of a PDF, with single spaces."""
+    with closing(pypdfium2.PdfDocument(path)) as document:
+        # PDFium has U+FFFE for a hyphen at the end of a line.
+        return [" ".join(page.get_textpage().get_text_range().replace("\ufffe", "-").split()) for page in document]
 
 
 # Files that take long, the longest first: at the end one process would wait for another.

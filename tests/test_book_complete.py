@@ -5,6 +5,9 @@ The book's Typst source is read, in its full and its standard level, for every r
 """
 
 import re
+from functools import cache
+from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import numpy
 import pytest
@@ -19,12 +22,13 @@ FUNCTIONS = {
 }
 
 
-def source(scene, level, folder):
+@cache
+def source(scene, level):
     """Without the words for screen readers."""
-    folder.mkdir(exist_ok=True)
-    lemnis("book", ROOT / f"models/scenes/{scene}.toml", "--level", level, "--format", "typ", "--output", folder)
-    [path] = folder.glob("*.typ")
-    text = typst(path).split("#let column-head")[1]
+    with TemporaryDirectory() as folder:
+        lemnis("book", ROOT / f"models/scenes/{scene}.toml", "--level", level, "--format", "typ", "--output", folder)
+        [path] = Path(folder).glob("*.typ")
+        text = typst(path).split("#let column-head")[1]
     return re.sub(r'(?s)#say\("(?:[^"\\]|\\.)*"\)\[(\$.*?\$)\];', r"\1", text)
 
 
@@ -42,26 +46,32 @@ def formulas(text):
         yield result.strip(), formula if rest else ""
 
 
+@cache
+def searched(known):
+    """Of every known symbol, the longest first, the pattern that finds it, and the symbol: one of several, x_1, is x_i."""
+    several = {re.sub(r"i(\)?)$", rf"{number}\1", name): name for name in known if name[-2:] in ("_i", "i)") for number in range(1, 10)}
+    names = {**several, **{name: name for name in known}}
+    return [(name, re.compile(rf"(?<![\w'])" + re.escape(name) + r"(?![\w'])"), names[name]) for name in sorted(names, key=len, reverse=True)]
+
+
 def symbols(formula, known):
     """The known symbols of a formula, and what is left of it."""
     linked = re.findall(r'go\("((?:[^"\\]|\\.)*)", ', formula)
     found = {name.replace('\\"', '"') for name in linked}
     for name in linked:
         formula = formula.replace(f'go("{name}", ' + name.replace('\\"', '"') + ")", " ")
-    # One of several, x_1, is x_i.
-    several = {re.sub(r"i(\)?)$", rf"{number}\1", name): name for name in known if name[-2:] in ("_i", "i)") for number in range(1, 10)}
-    for name in sorted({*known, *several}, key=len, reverse=True):
-        pattern = rf"(?<![\w'])" + re.escape(name) + r"(?![\w'])"
-        formula, count = re.subn(pattern, " ", formula)
-        if count:
-            found.add(name if name in known else several[name])
+    for name, pattern, symbol in searched(frozenset(known)):
+        if name in formula:
+            formula, count = pattern.subn(" ", formula)
+            if count:
+                found.add(symbol)
     return found, set(re.findall(r"[A-Za-z][\w']*", formula)) - FUNCTIONS
 
 
 @pytest.mark.parametrize("level", ["standard", "full"])
 @pytest.mark.parametrize("scene", SCENES)
-def test_every_symbol_of_a_formula_is_in_the_notation(scene, level, tmp_path):
-    text = source(scene, level, tmp_path)
+def test_every_symbol_of_a_formula_is_in_the_notation(scene, level):
+    text = source(scene, level)
     notation = set(re.findall(r"(?m)^  \[\$(.*?)\$\], \[", chapter(text, "Notation")))
     count = 0
     for result, formula in formulas(text):
@@ -88,10 +98,10 @@ def tabled(text, caption):
 
 @pytest.mark.parametrize("level", ["standard", "full"])
 @pytest.mark.parametrize("scene", SCENES)
-def test_every_symbol_of_a_formula_has_its_origin(scene, level, tmp_path):
+def test_every_symbol_of_a_formula_has_its_origin(scene, level):
     """It is given, stands on the left of a formula, is the coordinate of the position, one of the states and commands at the
     instant, a constant of the equations or a result of the run, which are tabled, or a point of the curves that a table lists."""
-    text = source(scene, level, tmp_path)
+    text = source(scene, level)
     notation = set(re.findall(r"(?m)^  \[\$(.*?)\$\], \[", chapter(text, "Notation")))
     known = {name for _, symbols in given(text) for pair in symbols for name in pair}
     known |= {result for result, _ in formulas(text)}
@@ -115,10 +125,10 @@ def reasons(table):
 
 
 @pytest.mark.parametrize("scene", SCENES)
-def test_every_given_quantity_is_in_a_formula_or_the_book_says_what_it_is_for(scene, tmp_path):
+def test_every_given_quantity_is_in_a_formula_or_the_book_says_what_it_is_for(scene):
     """Of those in no printed formula, and of no other, the line under their table says it."""
     words = tomllib.loads((ROOT / "templates/words/en/common.toml").read_text(encoding="utf-8"))["use"]
-    text = source(scene, "full", tmp_path)
+    text = source(scene, "full")
     notation = set(re.findall(r"(?m)^  \[\$(.*?)\$\], \[", chapter(text, "Notation")))
     used = set().union(*(symbols(formula, notation)[0] for _, formula in formulas(text)))
     for table, pairs in given(text):
@@ -133,9 +143,9 @@ def test_every_given_quantity_is_in_a_formula_or_the_book_says_what_it_is_for(sc
 
 
 @pytest.mark.parametrize("level", ["standard", "full"])
-def test_the_oil_of_a_steering_is_calculated(level, tmp_path):
+def test_the_oil_of_a_steering_is_calculated(level):
     """Every quantity of bodies, oil and control loop is in a formula; of the pressures every flow, of the group the moments."""
-    text = source("boat_hoist_003_hydraulic", level, tmp_path)
+    text = source("boat_hoist_003_hydraulic", level)
     tables = {re.sub(r"^[\d.]+ (.*?) #h[^$]*", r"\1", table.splitlines()[0]): table for table, _ in given(text)}
     for title in ["Groups in motion", "Oil and valves", "Control loop"]:
         assert title in tables and reasons(tables[title])[0] in ([], ["p_R", "k_R"]), "relief valves are shut"
@@ -144,7 +154,7 @@ def test_the_oil_of_a_steering_is_calculated(level, tmp_path):
     assert rates | {"Q_1", "Q_2", "Q_A", "Q_B", "Q_L", "V_A", "V_B", "f_(c i)", "M_(R i)"} <= results
 
 
-def test_the_loads_of_the_groups_follow_from_the_weight(tmp_path):
+def test_the_loads_of_the_groups_follow_from_the_weight():
     """A plane over the groups, by least squares, whose sum and moments are those of the weight."""
     scene = tomllib.loads((ROOT / "models/scenes/boat_hoist_003.toml").read_text(encoding="utf-8"))["steering"]
     number = lambda text: float(text.split()[0])
@@ -154,7 +164,7 @@ def test_the_loads_of_the_groups_follow_from_the_weight(tmp_path):
     plane = numpy.array([numpy.ones_like(x), x, y])
     moments = weight * numpy.array([1, x_g, y_g])
     expected = plane.T @ numpy.linalg.solve(plane @ plane.T, moments)
-    text = source("boat_hoist_003", "standard", tmp_path)
+    text = source("boat_hoist_003", "standard")
     section = text[text.index("Loads of the groups") :]
     rows = re.findall(r"(?m)^  \[(\d)\],\[(−?\d+)\],\[(−?\d+)\],\[(\d+)\],", section)[: len(x)]
     table = numpy.array([[float(cell.replace("−", "-")) for cell in row] for row in rows])
@@ -166,11 +176,11 @@ def test_the_loads_of_the_groups_follow_from_the_weight(tmp_path):
         assert abs(float(printed) - expected.max()) <= 0.005, symbol
 
 
-def test_the_ring_bears_what_its_curve_says(tmp_path):
+def test_the_ring_bears_what_its_curve_says():
     """Moment over the one that the scene's curve allows with the force, by interpolation of the scene's own points."""
     scene = tomllib.loads((ROOT / "models/scenes/boat_hoist_003.toml").read_text(encoding="utf-8"))["steering"]
     [ring] = [ring for ring in scene["ring"]["catalogue"] if ring["D_L"] == scene["ring"]["D_L"]]
-    text = source("boat_hoist_003", "full", tmp_path)
+    text = source("boat_hoist_003", "full")
 
     def value(symbol):
         step = re.search(rf"(?s)\n  {re.escape(symbol)} &= (.*?) \$\]", text)[1]
@@ -188,15 +198,15 @@ SMALL = {"portal_004_tail": 72}
 
 
 @pytest.mark.parametrize("scene", SCENES)
-def test_formulas_are_set_in_readable_type(scene, tmp_path):
+def test_formulas_are_set_in_readable_type(scene):
     """Those too wide for a line are set smaller: what would need less than 85 % of the type lacks a name for a part."""
-    sizes = re.findall(r"#step\(size: (\d+)%", source(scene, "full", tmp_path))
+    sizes = re.findall(r"#step\(size: (\d+)%", source(scene, "full"))
     assert all(int(size) >= SMALL.get(scene, 85) for size in sizes), sizes
 
 
-def test_a_result_that_nothing_changes_has_no_column_and_no_ranking(tmp_path):
+def test_a_result_that_nothing_changes_has_no_column_and_no_ranking():
     """Of a parallelogram the height of the head."""
-    text = chapter(source("parallelogram", "standard", tmp_path), "Sensitivity")
+    text = chapter(source("parallelogram", "standard"), "Sensitivity")
     assert "R_max" in text and "epsilon_Y" not in text and "mu_min" not in text
     rankings = re.findall(r"drawn\(\d+, \"(.*?)\", alt", text)
     assert rankings and all("solid" in ranking or "more" in ranking or "less" in ranking for ranking in rankings)

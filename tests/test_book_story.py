@@ -7,8 +7,8 @@ import re
 import pypdf
 import pytest
 
-from conftest import ROOT, lemnis, typst, words
-from test_book import DEFAULT, LANGUAGES, scene, text_of
+from conftest import ROOT, lemnis, text_of, typst, words
+from test_book import DEFAULT, LANGUAGES, scene
 
 SCENES = sorted(path.stem for path in (ROOT / "models/scenes").glob("*.toml"))
 
@@ -51,7 +51,7 @@ def test_the_engineers_paragraphs_stand_at_their_places(tmp_path):
         "2 Task and scope What the boom 𝑋1 bears: #read(\"/etc/passwd\") $x$ *b* <l> @r \\ `c`. The calculation follows",
         "Of the crane only the head. Not covered are wind;",
         "of a standard. First of two. - Second of two. ",
-        "By the angle 𝜃1. • The plane of the mechanism",
+        "By the angle 𝜃1 . • The plane of the mechanism",
         "Remarks = no heading of Δ99 1. [Li2022]",
     ]
     places = [text.find(words) for words in said]

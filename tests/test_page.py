@@ -6,11 +6,10 @@ import re
 import shutil
 import subprocess
 
-import pypdf
 import pytest
 from playwright.sync_api import expect, sync_playwright
 
-from conftest import ROOT, lemnis, words
+from conftest import ROOT, lemnis, text_of, words
 from run import browser as installed
 from run import PYTHON
 from test_serve import SCENE, serving
@@ -275,9 +274,9 @@ def test_a_result_opens_the_page_of_its_formula(seen, tmp_path):
     top = page.locator("#book").evaluate("book => book.getBoundingClientRect().top")
     turned = min(range(len(tops)), key=lambda i: abs(tops[i] - top))
     lemnis("book", SCENE, "-o", tmp_path)
-    texts = [sheet.extract_text() for sheet in pypdf.PdfReader(next(tmp_path.glob("*.pdf"))).pages]
+    texts = text_of(next(tmp_path.glob("*.pdf")))
     meaning = "Transmission angle between coupler"
-    assert turned == next(i for i, text in enumerate(texts) if meaning in " ".join(text.split()))
+    assert turned == next(i for i, text in enumerate(texts) if meaning in text)
 
 
 def centre(locator):

@@ -6,8 +6,8 @@ from types import SimpleNamespace
 import pypdf
 import pytest
 
-from conftest import ROOT, words
-from test_languages import LANGUAGES, book, text_of, without_input_file
+from conftest import ROOT, text_of, words
+from test_languages import LANGUAGES, book, without_input_file
 
 SCENES = sorted((ROOT / "models/scenes").glob("*.toml"))
 ORDER = [
@@ -21,8 +21,8 @@ ORDER = [
                 ids=lambda param: f"{param[0].stem}-{param[1]}")
 def ready(request, tmp_path_factory):
     path, language = request.param
-    reader = pypdf.PdfReader(book(tmp_path_factory.mktemp("ready"), path, "--language", language))
-    return SimpleNamespace(path=path, language=language, reader=reader, text=text_of(reader))
+    made = book(tmp_path_factory.mktemp("ready"), path, "--language", language)
+    return SimpleNamespace(path=path, language=language, outline=pypdf.PdfReader(made).outline, text=" ".join(text_of(made)))
 
 
 def test_it_speaks_its_language(ready):
@@ -33,12 +33,13 @@ def test_it_speaks_its_language(ready):
     text = without_input_file(ready.text, ready.language)
     said = re.sub(r'#.*|(?m:^\w+\.|\b)en = "[^"]*"', "", ready.path.read_text(encoding="utf-8"))
     known = said + " ".join(words(ready.language)["reference"].values()) + "Lemnis Rodas Sobol arccos arcsin arctan toml"
-    text = re.sub("[“„（][a-z]+[”“）]", "", text)
+    # The subscript of what a formula gives may be read behind the formula's number.
+    text = re.sub(r"[“„（][a-z]+[”“）]|\(\d+\.\d+\) [a-z]+ =", "", text)
     assert not set(re.findall(r"\b[A-Za-z]{4,}\b", text)) - set(re.findall(r"[A-Za-z]+", known))
 
 
 def test_chapters_stand_in_the_order_of_the_story(ready):
-    titles = [re.sub(r"^\d+ ", "", entry.title) for entry in ready.reader.outline if not isinstance(entry, list)]
+    titles = [re.sub(r"^\d+ ", "", entry.title) for entry in ready.outline if not isinstance(entry, list)]
     known = {title: id for id, title in words(ready.language)["chapter"].items()}
     chapters = [known.get(title, "positions") for title in titles]
     assert chapters == [chapter for chapter in ORDER if chapter in chapters]

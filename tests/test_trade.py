@@ -10,9 +10,8 @@ import zipfile
 import fmpy
 import fmpy.validation
 import numpy as np
-import pypdf
 import pytest
-from conftest import ROOT, lemnis
+from conftest import ROOT, lemnis, text_of
 
 CRANE = (ROOT / "models/scenes/lemniscate.toml").read_text(encoding="utf-8")
 DYNAMICS = (ROOT / "tests/levels/dynamics.toml").read_text(encoding="utf-8")
@@ -68,8 +67,8 @@ def test_everything_is_written(tmp_path):
     assert cheapest["holds"] and (cheapest["level"], cheapest["setting"]["step"]) == ("swing", "100 ms")
     svg = (tmp_path / "out/LemniscateCrane_trade.svg").read_text(encoding="utf-8")
     assert svg.startswith("<svg") and len(svg) > 5000
-    [page] = pypdf.PdfReader(tmp_path / "out/LemniscateCrane_trade.pdf").pages
-    assert "swing" in page.extract_text() and "error over what is allowed" in page.extract_text()
+    [page] = text_of(tmp_path / "out/LemniscateCrane_trade.pdf")
+    assert "swing" in page and "error over what is allowed" in page
 
 
 def test_counted_results_are_the_same_again(tmp_path):
