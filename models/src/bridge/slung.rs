@@ -20,13 +20,17 @@ quantities! {
     LoadSlings { l_s: L_S, e_s: E_S, e_1: E_1, i_1: I_1 }
 }
 
-/// Two bodies below the trolley: masses and stiffnesses over the load's mass, frequencies (rad/s), periods (s), travel of the load
-/// by its slings over that of the spreader, and travel of the load under a steady acceleration of g (m).
+/// Two bodies below the trolley: what sways of the spreader alone and what brings it and the slings' joints back, over the same on
+/// parallel ropes; masses and stiffnesses over the load's mass; frequencies (rad/s), periods (s), travel of the load by its slings
+/// over that of the spreader, and travel of the load under a steady acceleration of g (m).
 #[derive(Clone, Copy, Debug)]
 pub struct Slung<C> {
     ratio: C,
+    light: C,
+    rise: [C; 2],
     masses: [C; 2],
     back: [C; 2],
+    root: C,
     pub frequency: [C; 2],
     pub period: [C; 2],
     shape: [C; 2],
@@ -34,10 +38,14 @@ pub struct Slung<C> {
 }
 results! { Slung as d => {
     MU_S: d.ratio;
+    D_S1: d.light;
+    E_S1: d.rise[0];
+    E_S2: d.rise[1];
     A_S: d.masses[0];
     B_S: d.masses[1];
     P_S: d.back[0];
     Q_S: d.back[1];
+    W_S: d.root;
     OMEGA_S1: d.frequency[0];
     OMEGA_S2: d.frequency[1];
     T_S1: d.period[0];
@@ -49,8 +57,8 @@ results! { Slung as d => {
 } }
 
 impl<C: Calc> Slung<C> {
-    /// a = μ D_1 + τ², b = τ, p = g (μ E_1 + E_s)/h, q = g/l_s, with D_1 = (1 − e_1 κ)² + i_1² κ², E = 1 + (a_o a_u + e h) κ²;
-    /// w = p + a q + √((p − a q)² + 4 b² p q), ω_1² = 2 p q/w, ω_2² = w/(2 (a − b²)); σ = b ω²/(q − ω²);
+    /// D_1 = (1 − e_1 κ)² + i_1² κ², E = 1 + (a_o a_u + e h) κ²; a = μ D_1 + τ², b = τ, p = g (μ E_1 + E_s)/h, q = g/l_s;
+    /// w = p + a q + √((p − a q)² + 4 b² p q), ω_1² = 2 p q/w, ω_2² = w/(2 μ D_1); σ = b ω²/(q − ω²);
     /// γ = g (τ + σ)(μ (1 − e_1 κ) + τ + σ)/((a + 2 b σ + σ²) ω²). (Lagrange)
     ///
     /// # Errors
@@ -71,17 +79,19 @@ impl<C: Calc> Slung<C> {
         let ratio = (unit.g_s / command.q).def(&s::MU_S);
         let own = one - slings.e_1 * turn;
         let travel = one - slings.e_s * turn;
+        let light = (own.square() + (slings.i_1 * turn).square()).def(&s::D_S1);
         let rises = |below: C| one + (ropes.a_o * ropes.a_u + below * hanging.height) * turn.square();
-        let light = ratio * (own.square() + (slings.i_1 * turn).square());
-        let mass = (light + travel.square()).def(&s::A_S);
+        let rise = [rises(slings.e_1).def(&s::E_S1), rises(slings.e_s).def(&s::E_S2)];
         let both = travel.def(&s::B_S);
-        let upper = (**gravity * (ratio * rises(slings.e_1) + rises(slings.e_s)) / hanging.height).def(&s::P_S);
+        let mass = (ratio * light + both.square()).def(&s::A_S);
+        let upper = (**gravity * (ratio * rise[0] + rise[1]) / hanging.height).def(&s::P_S);
         let lower = (**gravity / slings.l_s).def(&s::Q_S);
         let (sum, product) = (upper + mass * lower, upper * lower);
         let apart = ((upper - mass * lower).square() + (both.square() * product).scaled(4.0)).sqrt();
+        let root = (sum + apart).def(&s::W_S);
         let frequency = [
-            (product.scaled(2.0) / (sum + apart)).sqrt().def(&s::OMEGA_S1),
-            ((sum + apart) / light.scaled(2.0)).sqrt().def(&s::OMEGA_S2),
+            (product.scaled(2.0) / root).sqrt().def(&s::OMEGA_S1),
+            (root / (ratio * light).scaled(2.0)).sqrt().def(&s::OMEGA_S2),
         ];
         let names = [
             [&s::T_S1, &s::SIGMA_S1, &s::GAMMA_S1],
@@ -100,8 +110,11 @@ impl<C: Calc> Slung<C> {
         });
         Ok(Slung {
             ratio,
+            light,
+            rise,
             masses: [mass, both],
             back: [upper, lower],
+            root,
             frequency,
             period: each.map(|one| one[0]),
             shape: each.map(|one| one[1]),

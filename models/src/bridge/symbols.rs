@@ -114,10 +114,14 @@ symbols! {
 
     // Spreader and load as two bodies.
     MU_S: "mu_s" "mu_\"s\"" ONE / ONE [positive], "Weight of the spreader over that of the load.", "derived";
+    D_S1: "D_s1" "D_1" ONE / ONE [positive], "Mass of the spreader alone that sways, over that of one on parallel ropes.", "Lagrange";
+    E_S1: "E_s1" "E_1" ONE / ONE, "What brings the spreader alone back, over that on parallel ropes.", "Lagrange";
+    E_S2: "E_s2" "E_\"s\"" ONE / ONE, "What brings a weight at the slings' joints back, over that on parallel ropes.", "Lagrange";
     A_S: "a_s" "a" ONE / ONE, "Mass of both bodies that travels with the spreader, over that of the load.", "Lagrange";
     B_S: "b_s" "b" ONE / ONE, "Travel of the slings' joints over that of the spreader's middle.", "derived";
     P_S: "p_s" "p" PER_S2 / PER_S2, "What brings both bodies back on the ropes, over the load's mass.", "Lagrange";
     Q_S: "q_s" "q" PER_S2 / PER_S2, "What brings the load back on its slings, over its mass.", "Lagrange";
+    W_S: "w_s" "w" PER_S2 / PER_S2 [positive], "Sum that both frequencies are taken from: so nothing cancels.", "Lagrange";
     OMEGA_S1: "omega_s1" "omega_(\"s\" 1)" RAD_PER_S / RAD_PER_S [positive], "Lower frequency of small sway of spreader and load as two bodies.", "Lagrange";
     OMEGA_S2: "omega_s2" "omega_(\"s\" 2)" RAD_PER_S / RAD_PER_S [positive], "Upper frequency of small sway of spreader and load as two bodies.", "Lagrange";
     T_S1: "T_s1" "T_(\"s\" 1)" S / S [positive], "Period of the lower frequency.", "derived";
