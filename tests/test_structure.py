@@ -293,8 +293,11 @@ def place(code, sources, table, path):
         module = folder / f"{items.pop(0)}.rs"
     kinds = [rf"\bimpl\b[^{{]*\b{re.escape(name)}\b[^{{]*\{{" for name in items[:-1]]
     kinds += [rf"\b(?:fn|struct|enum)\s+{re.escape(name)}\b" for name in items[-1:]]
-    having = [file for file, text in code.items() if all(re.search(kind, text) for kind in kinds)]
-    return module if module in having else having[0] if len(items) > 1 and len(having) == 1 else None
+    has = lambda file: all(re.search(kind, code[file]) for kind in kinds)
+    if module in code and has(module):
+        return module
+    having = list(filter(has, code)) if len(items) > 1 else []
+    return having[0] if len(having) == 1 else None
 
 
 def test_a_file_with_equations_has_at_most_200_lines():
