@@ -224,10 +224,12 @@ pub fn meets(v: &Values, driving: &Driving, foot: Option<Point<f64>>, range: [f6
 }
 
 /// Kinds of drives whose shaft may turn with a single boom in motion, and with a linkage whose pins carry the line of a drive.
-pub const TURNED: [&str; 3] = ["rack", "sector", "crank"];
-pub const TURNED_LINE: [&str; 1] = ["rack"];
+pub const TURNED: [&str; 4] = ["rack", "sector", "crank", ROPE];
+pub const TURNED_LINE: [&str; 2] = ["rack", ROPE];
+/// Of which all is known in motion without a motor too.
+const ROPE: &str = "rope";
 
-/// Refuses a torque in a mechanism that moves, but with a motor by a drive of some kinds, and limits of what the drive has
+/// Refuses a torque in a mechanism that moves, but of a rope, or with a motor, by a drive of some kinds, and limits of what the drive has
 /// not, with or without `forces`; `None` of what does not move.
 pub fn fits(
     v: &Values,
@@ -237,9 +239,8 @@ pub fn fits(
 ) {
     let motor = v.table("cases").is_some_and(|cases| cases.has("motor"));
     let turns = |d: &&Values| {
-        motor
-            && d.text("kind")
-                .is_some_and(|kind| moves.is_some_and(|kinds| kinds.contains(&kind)))
+        let kind = d.text("kind").unwrap_or_default();
+        (motor || kind == ROPE) && moves.is_some_and(|kinds| kinds.contains(&kind))
     };
     let told = v.table("drive").filter(|_| moves.is_some() && gear.is_some());
     if let Some(d) = told.filter(|d| !turns(d)) {
