@@ -21,11 +21,11 @@ CASES = {
     3: (FREE, 25.0, 50 * T, 250.0, 0.0, [(box(8.0, 6.0, 4.5, -22.0, 9.0), 0.95)]),
 }
 LIMITS = {
-    1: {"phi_k": 5.0, "phi_dk": 15.0, "K_ck": 1.0},
+    1: {"phi_k": 5.0, "phi_dk": 15.0, "K_ck": 1.0, "GM_k": 0.15},
     2: {"phi_k": 5.0, "theta_k": 3.0, "A_k": 4.57, "K_ck": 1.0},
-    3: {"phi_k": 15.0, "f_k": 0.1, "A_k": 3.05},
+    3: {"phi_k": 15.0, "f_k": 0.1, "A_k": 3.05, "GM_k": 0.1},
 }
-LEAST = ("f_k", "A_k", "K_ck")
+LEAST = ("f_k", "A_k", "K_ck", "GM_k")
 
 
 def hull(case, lost=False):
@@ -90,7 +90,7 @@ def test_each_case_is_a_hull_of_its_own(fmus, standard, case):  # noqa: F811
         slope = (upright.energy(step) + upright.energy(-step) - 2 * upright.energy(0.0)) / step**2
         assert found["GM_k"] == pytest.approx(slope, rel=3e-4)
     parts = [abs(found[name]) / limit if name not in LEAST else limit / found[name]
-             for name, limit in ((name, limit if name in ("f_k", "K_ck") else math.radians(limit)) for name, limit in LIMITS[case].items())]
+             for name, limit in ((name, limit if name in ("f_k", "K_ck", "GM_k") else math.radians(limit)) for name, limit in LIMITS[case].items())]
     assert found["u_k"] == pytest.approx(max(*parts, 1 / found["rho_k"]), rel=1e-12)
 
 

@@ -436,8 +436,44 @@ fn the_ready_scene() {
     let scene = Scene::parse(READY).unwrap_or_else(|mistakes| panic!("{mistakes:?}"));
     assert_eq!(scene.levels(), ["static"]);
     let sheet = scene.sheet();
-    assert_eq!((sheet.identities.len(), sheet.requirements.len()), (2, 11));
+    assert_eq!((sheet.identities.len(), sheet.requirements.len()), (2, 12));
     for check in sheet.checks() {
         assert!(check.passed(), "{} by {}", check.id, check.value);
+    }
+}
+
+/// GM = T/2 + B²/(12 T) − z_G of a box, with its own load and with that of a further case, each against a limit of its own.
+#[test]
+fn the_least_metacentric_height_is_judged() {
+    let ([l, b, d], [mass, low], [load, high]) = ([60.0, 24.0, 4.5], [2000.0, 4.0], [50.0, 30.0]);
+    let height = |load: f64| {
+        let draft = (mass + load) / (l * b);
+        draft / 2.0 + b * b / (12.0 * draft) - (mass * low + load * high) / (mass + load)
+    };
+    let wanted = [height(load), height(20.0)];
+    for (part, passes) in [(0.999, true), (1.001, false)] {
+        let [own, other] = wanted.map(|height| format!("{} m", part * height));
+        let text = scene([l, b, d], [mass, low], [load, 5.0, high], "load_case = \"A\"")
+            + &format!(
+                "[[hull.load_cases]]\nname = \"B\"\nQ_k = \"20 t\"\nGM_min = \"{other}\"\n\
+                 [hull.limits]\nGM_min = {{ value = \"{own}\", source = \"2008 IS Code, A 2.2.4\" }}\n"
+            );
+        let sheet = Scene::parse(&text).expect("legal").sheet();
+        let cases = sheet.cases.as_ref().expect("two cases");
+        let judged: Vec<_> = (cases.judged.iter())
+            .filter(|one| one.check.id == "afloat_metacentric")
+            .collect();
+        assert_eq!(judged.len(), 2);
+        for (one, wanted) in judged.iter().zip(wanted) {
+            near(one.check.value, wanted, 1e-12);
+            assert_eq!(one.check.passed(), passes);
+            let source = one.criterion.as_ref().map(|text| text.english().to_owned());
+            assert_eq!(source.as_deref(), (one.case == 0).then_some("2008 IS Code, A 2.2.4"));
+        }
+        let own = sheet
+            .checks()
+            .find(|check| check.id == "afloat_metacentric")
+            .expect("asked");
+        near(own.value, wanted[0], 1e-12);
     }
 }

@@ -13,6 +13,7 @@ use toml::Table;
 
 use crate::cases::cases;
 use crate::control::{HOIST, LUFFING, SLEWING, controlled, cycle};
+use crate::hung;
 use crate::scene::{Draw, Node};
 
 /// A result that every level has.
@@ -299,7 +300,8 @@ fn kind_of_drive(drive: &mut Node, bore: f64, [moves, oil]: [bool; 2]) {
     let cylinder = oil || drive.draw.coin(0.5);
     let kind = match cylinder {
         true => "cylinder",
-        false if moves || drive.draw.coin(0.5) => "rack",
+        false if moves => drive.draw.pick(&["rack", "rope"]),
+        false if drive.draw.coin(0.5) => "rack",
         false => drive.draw.pick(&["screw", "sector", "crank", "rope"]),
     };
     drive.put("kind", kind);
@@ -719,6 +721,7 @@ pub fn dynamics(n: &mut Node, turns: &str, rope: bool, oil: bool) {
     let lasts = n
         .child("motion")
         .map_or(0.0, |m| (m.get("to") - m.get("from")) / m.get("speed"));
+    let roped = hung::by_rope(n.table);
     let mut d = n.child("dynamics").expect("there");
     // Something that turns has inertia, whatever else has none.
     let own = inertia * d.draw.between(0.3, 3.0);
@@ -744,6 +747,9 @@ pub fn dynamics(n: &mut Node, turns: &str, rope: bool, oil: bool) {
     }
     if oil {
         d.remove(&["M_A", "M_S"]);
+    } else if roped {
+        // Which way a rope pulls, a motor does not know.
+        d.remove(&["M_A"]);
     }
     if n.has("hoisting") {
         let load = n.get("Q");
@@ -773,7 +779,7 @@ pub fn dynamics(n: &mut Node, turns: &str, rope: bool, oil: bool) {
             }
         }
     }
-    controls(n, own, oil, lasts);
+    controls(n, own, !oil && !roped, lasts);
     let gives = n.child("hoisting").is_some_and(|hoist| hoist.has("c_R"));
     n.keep("ground", gives && n.has("ground"));
     if n.has("ground") {
@@ -786,11 +792,11 @@ pub fn dynamics(n: &mut Node, turns: &str, rope: bool, oil: bool) {
     }
 }
 
-/// Controllers of luffing with an inertia (kg·m²) unless by oil, of slewing, and of a hoist's motor, for a run of a duration (s).
-fn controls(n: &mut Node, inertia: f64, oil: bool, lasts: f64) {
+/// Controllers of luffing with an inertia (kg·m²) where it may have one, of slewing, and of a hoist's motor, for a run of a duration (s).
+fn controls(n: &mut Node, inertia: f64, luffing: bool, lasts: f64) {
     let (length, time, cycle) = (n.draw.scale[0], n.draw.scale[2], cycle(n));
     let some = n.draw.coin(0.3);
-    n.keep("control", some && !oil);
+    n.keep("control", some && luffing);
     let range = n
         .child("motion")
         .map_or([0.0; 2], |m| ["from", "to"].map(|name| m.get(name)));

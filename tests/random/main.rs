@@ -14,6 +14,7 @@ mod curved_trunk;
 mod ellipsograph;
 mod fmu;
 mod hopper;
+mod hung;
 mod luffing;
 mod mobile;
 mod portal;

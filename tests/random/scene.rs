@@ -14,8 +14,8 @@ use lemnis_models::scene::KEYS;
 use toml::{Table, Value};
 
 use crate::{
-    afloat, bridge, column, curved_trunk, ellipsograph, hopper, luffing, mobile, portal, ring, rope, slewing, steering,
-    unloader,
+    afloat, bridge, column, curved_trunk, ellipsograph, hopper, hung, luffing, mobile, portal, ring, rope, slewing,
+    steering, unloader,
 };
 
 /// What a mechanism adds: a legal table, one that lies on an edge, and a result that every level has.
@@ -133,6 +133,7 @@ impl Case {
         if !alone || keys.iter().any(names) && draw.coin(0.5) {
             made.insert(KIND.to_owned(), entry.kind.into());
         }
+        hung::hung(mechanism, &mut made, draw.g);
         let mut table = draw.around(mechanism, made, maker.as_ref().map(|maker| maker.result));
         if !legal {
             let edge = draw.coin(0.5);

@@ -15,7 +15,7 @@ quantities! {
 pub const NAMES: [&Symbol; 11] = *listed!(s: PHI_K, THETA_K, F_K, F_OK, PHI_OK, A_K, PHI_2K, PHI_DK, K_CK, GM_K, RHO_K);
 
 /// What is asked of the first of these, and whether that is the most or the least.
-pub const LIMITS: [(&Symbol, bool); 9] = [
+pub const LIMITS: [(&Symbol, bool); 10] = [
     (&s::PHI_MAX, true),
     (&s::THETA_MAX, true),
     (&s::F_MIN, false),
@@ -25,6 +25,7 @@ pub const LIMITS: [(&Symbol, bool); 9] = [
     (&s::PHI_2_MAX, true),
     (&s::PHI_DYN_MAX, true),
     (&s::K_C_MIN, false),
+    (&s::GM_MIN, false),
 ];
 
 /// What the scene plans of a load case: its slewing angle, if it has one (rad), which openings are open, which compartments are

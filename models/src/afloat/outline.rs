@@ -64,6 +64,7 @@ pub const OUTLINE: Outline = Outline {
         Greatest::new(&s::D_A_MIN, Most::Least, &s::D_A),
         Greatest::new(&s::PHI_DYN_MAX, Most::Amount, &s::PHI_DYN),
         Greatest::new(&s::K_C_MIN, Most::Least, &s::K_C),
+        Greatest::new(&s::GM_MIN, Most::Least, &s::GM),
         Greatest::new(&s::U_MAX, Most::Greatest, &s::U_K),
     ],
     summary: listed!(s: GM),
@@ -79,6 +80,7 @@ pub const OUTLINE: Outline = Outline {
         Limit::not_negative("afloat_lost", &s::D_A_MIN),
         Limit::at_most("afloat_dynamic", &s::PHI_DYN_MAX),
         Limit::at_least("afloat_capsizing", &s::K_C_MIN),
+        Limit::at_least("afloat_metacentric", &s::GM_MIN),
         Limit::within("afloat_cases", &s::U_MAX, 1.0),
     ],
     uses: &[

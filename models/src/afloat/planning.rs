@@ -36,7 +36,9 @@ const TAKEN: [(&Symbol, &str, &Symbol); 7] = [
 ];
 
 /// Without which each limit judges nothing, in their order.
-const NEEDS: [&str; LIMITS.len()] = ["Q", "Q", "Q", "openings", "openings", "phi_f", "loss", "gust", "gust"];
+const NEEDS: [&str; LIMITS.len()] = [
+    "Q", "Q", "Q", "openings", "openings", "phi_f", "loss", "gust", "gust", "Q",
+];
 
 /// Names of all cases, that of `[hull]` first, and what each of the further ones has.
 #[derive(Clone, Debug, Default)]

@@ -103,7 +103,7 @@ static CASE: &[Key] = keys! { s:
     Q_K >= 0 [or_mass, optional], R_K [optional], THETA_1K [optional], PSI_K [optional], P_WK >= 0 [optional], CHI_WK [optional],
     P_GK >= 0 [optional], F_PK >= 0 [optional];
     Key::new("name", Kind::Line, "Its name."),
-    LIMITS[0], LIMITS[1], LIMITS[2], LIMITS[3], LIMITS[4], LIMITS[5], LIMITS[6], LIMITS[7], LIMITS[8]
+    LIMITS[0], LIMITS[1], LIMITS[2], LIMITS[3], LIMITS[4], LIMITS[5], LIMITS[6], LIMITS[7], LIMITS[8], LIMITS[9]
 };
 static LOSS: &[(&str, &[Key])] = &[
     (
@@ -122,7 +122,7 @@ const MOTION: &[Key] = &Motion::keys(
     &s::PSI_SL,
     (&s::OMEGA_SL, "Angular velocity of slewing."),
 );
-const LIMITS: &[Key] = &Limit::keys::<10>(OUTLINE.limits);
+const LIMITS: &[Key] = &Limit::keys::<11>(OUTLINE.limits);
 
 /// What the rates cost, in s.
 const COST: [f64; 2] = [1.5e-6, 0.0];

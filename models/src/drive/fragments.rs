@@ -24,3 +24,17 @@ macro_rules! shaft {
     };
 }
 pub(crate) use shaft;
+
+/// Whether a rope that drives it pulls, of a component whose coordinate is named.
+macro_rules! taut_rope {
+    ($pulls:ident by $angle:ident) => {
+        fn $pulls(known: &mut Known<f64>) -> $crate::component::stages::Found<()> {
+            if !known.given.gear.is_some_and(|gear| gear.is_rope()) {
+                return Ok(());
+            }
+            let angle = known.given.$angle;
+            known.hauling()?.holds(&angle)
+        }
+    };
+}
+pub(crate) use taut_rope;

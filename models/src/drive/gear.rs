@@ -28,11 +28,18 @@ pub enum Gear<C> {
 }
 
 impl<C: Copy> Gear<C> {
+    /// Whether a rope alone holds the driving link.
+    #[must_use]
+    pub fn is_rope(&self) -> bool {
+        matches!(self, Gear::Tackle(_))
+    }
+
     /// Whether a drive of this kind has a result.
     #[must_use]
     pub fn has(&self, result: &'static Symbol) -> bool {
         (matches!(self, Gear::Screw(_)) || !listed!(s: LAMBDA_D, RHO_D, LOCK_D).contains(&result))
-            && (matches!(self, Gear::Tackle(_)) || !listed!(s: S_L, S_L_OUT, S_L_IN, S_L_MAX).contains(&result))
+            && (self.is_rope()
+                || !listed!(s: S_L, S_L_OUT, S_L_IN, S_L_MAX, S_LM, S_LM_OUT, S_LM_IN, Z_PULL).contains(&result))
     }
 }
 either!(Gear {

@@ -9,6 +9,7 @@
 //! | `drive.sector` | [`sector::Sector::along`] | Ports001, 5.3 |
 //! | `drive.crank` | [`crank::CrankRod::at`] | Ports001, 5.3 |
 //! | `drive.tackle` | [`tackle::Tackle::arm`], [`tackle::Tackle::pulls`] | Ports001, 5.1 |
+//! | `drive.hauling` | [`hauling::hauling`] | Ports001, 5.1 |
 //! | `drive.shaft` | [`shaft::Shaft::new`] | Ports001, 5.3 |
 
 pub mod checks;
@@ -16,6 +17,7 @@ pub mod crank;
 pub mod drawing;
 pub mod fragments;
 pub mod gear;
+pub mod hauling;
 pub mod line;
 pub mod mount;
 pub mod outline;

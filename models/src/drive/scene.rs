@@ -103,6 +103,7 @@ pub fn read(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Driving> {
     let Some(d) = v.table("drive") else {
         return Some(Driving::default());
     };
+    d.text("kind")?;
     let before = found.len();
     only_its_own(d, found);
     all_of_it(d, found);
@@ -114,7 +115,7 @@ pub fn read(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Driving> {
         gear: Gear::read(d, d.text("kind")?, found),
         crank: CrankRod::read(d).zip(Branch::read(d)),
     };
-    (found.len() == before).then_some(read)
+    (found.len() == before && d.is_sound()).then_some(read)
 }
 
 /// Refuses what is of a drive of another kind.
@@ -150,6 +151,7 @@ fn cylinder(d: &Values, found: &mut Vec<Diagnostic>) -> Option<Bore<f64>> {
             ));
             None
         }
+        ("cylinder", ..) if d.stands(s::D_C.id) && d.stands(s::D_R.id) => None,
         ("cylinder", ..) => {
             found.push(
                 Diagnostic::new(
@@ -168,7 +170,7 @@ fn cylinder(d: &Values, found: &mut Vec<Diagnostic>) -> Option<Bore<f64>> {
 /// Asks for what a drive of this kind needs, but bore and rod; a rack's pinion may be left out.
 fn all_of_it(d: &Values, found: &mut Vec<Diagnostic>) {
     let kind = d.text("kind").unwrap_or_default();
-    let pinion = d.has(s::R_Z.id) || d.has(s::ETA_D.id);
+    let pinion = d.stands(s::R_Z.id) || d.stands(s::ETA_D.id);
     let turned: &[&Symbol] = match kind {
         "screw" => listed!(s: D_2, P_H, MU_D, BETA_D),
         "sector" => listed!(s: R_S, DELTA_S, R_Z, ETA_D),
@@ -181,7 +183,7 @@ fn all_of_it(d: &Values, found: &mut Vec<Diagnostic>) {
     let symbols = line.iter().chain(turned);
     let keys = symbols.map(|symbol| Key::quantity(symbol, Sign::Positive));
     let branch = (kind == "crank").then_some(CRANK_BRANCH);
-    for key in keys.chain(branch).filter(|key| !d.has(key.name)) {
+    for key in keys.chain(branch).filter(|key| !d.stands(key.name)) {
         let place = format!("in [luffing.drive] of the kind \"{kind}\"");
         found.push(missing(d.span.clone(), &place, &key));
     }
@@ -222,10 +224,12 @@ pub fn meets(v: &Values, driving: &Driving, foot: Option<Point<f64>>, range: [f6
 }
 
 /// Kinds of drives whose shaft may turn with a single boom in motion, and with a linkage whose pins carry the line of a drive.
-pub const TURNED: [&str; 3] = ["rack", "sector", "crank"];
-pub const TURNED_LINE: [&str; 1] = ["rack"];
+pub const TURNED: [&str; 4] = ["rack", "sector", "crank", ROPE];
+pub const TURNED_LINE: [&str; 2] = ["rack", ROPE];
+/// Of which all is known in motion without a motor too.
+const ROPE: &str = "rope";
 
-/// Refuses a torque in a mechanism that moves, but with a motor by a drive of some kinds, and limits of what the drive has
+/// Refuses a torque in a mechanism that moves, but of a rope, or with a motor, by a drive of some kinds, and limits of what the drive has
 /// not, with or without `forces`; `None` of what does not move.
 pub fn fits(
     v: &Values,
@@ -235,9 +239,8 @@ pub fn fits(
 ) {
     let motor = v.table("cases").is_some_and(|cases| cases.has("motor"));
     let turns = |d: &&Values| {
-        motor
-            && d.text("kind")
-                .is_some_and(|kind| moves.is_some_and(|kinds| kinds.contains(&kind)))
+        let kind = d.text("kind").unwrap_or_default();
+        (motor || kind == ROPE) && moves.is_some_and(|kinds| kinds.contains(&kind))
     };
     let told = v.table("drive").filter(|_| moves.is_some() && gear.is_some());
     if let Some(d) = told.filter(|d| !turns(d)) {

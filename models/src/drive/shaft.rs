@@ -134,7 +134,9 @@ impl<C: Calc> Shaft<C> {
                 torque(out, &s::T_D_OUT),
                 torque(back, &s::T_D_IN),
             ],
-            pulls: gearing.tackle.map(|tackle| tackle.pulls(f_d)),
+            pulls: gearing
+                .tackle
+                .map(|tackle| tackle.pulls(f_d, [&s::S_L, &s::S_L_OUT, &s::S_L_IN])),
         }
     }
 }

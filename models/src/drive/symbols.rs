@@ -82,6 +82,12 @@ symbols! {
     S_L_OUT: "S_l.out" "S_(l, arrow.r)" N / KN [infinite("where the drive points at the foot of its bar")], "Pull of the luffing rope at its drum while the tackle lengthens.", "[Ports001, 5.1]";
     S_L_IN: "S_l.in" "S_(l, arrow.l)" N / KN [infinite("where the drive points at the foot of its bar")], "Pull of the luffing rope at its drum while the tackle shortens.", "[Ports001, 5.1]";
 
+    // Rope in motion.
+    S_LM: "S_lm" "S_(l m)" N / KN [infinite("where the drive points at the foot of its bar")], "Pull of the luffing rope in motion, without friction: the drive's force over the falls, with what the inertia of the motor's shaft takes.", "[Ports001, 5.1]";
+    S_LM_OUT: "S_lm.out" "S_(l m, arrow.r)" N / KN [infinite("where the drive points at the foot of its bar")], "Pull of the luffing rope at its drum in motion, while the tackle lengthens.", "[Ports001, 5.1]";
+    S_LM_IN: "S_lm.in" "S_(l m, arrow.l)" N / KN [infinite("where the drive points at the foot of its bar")], "Pull of the luffing rope at its drum in motion, while the tackle shortens.", "[Ports001, 5.1]";
+    Z_PULL: "z.pull" "z_p" N / KN [infinite("where the drive points at the foot of its bar")], "Falls below zero where the luffing rope would have to push: there this motion ends.", "event";
+
     // The whole range of motion.
     F_D_MAX: "F_d_max" "F_(d,max)" N / KN [infinite("where the drive points at the foot of its bar")], "Greatest force of the drive in the working range, by amount; push positive.", "equilibrium";
     T_D_OUT_MAX: "T_d_out_max" "T_(d arrow.r,max)" N_M / KN_M [infinite("where the drive points at the foot of its bar")], "Greatest torque of the screw, pinion, drum or crank in the working range, by amount, while the drive lengthens.", "derived";

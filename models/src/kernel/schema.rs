@@ -246,7 +246,7 @@ pub struct Values {
     /// In the order of their names.
     pub(super) entries: Vec<(&'static str, Value, Range<usize>)>,
     /// Keys that are there with a value that is none of theirs.
-    pub unsound: Vec<&'static str>,
+    pub(super) unsound: Vec<&'static str>,
     /// Against which it was checked.
     pub(super) keys: &'static [Key],
     /// Place of the table itself.
@@ -411,6 +411,18 @@ impl Values {
     #[must_use]
     pub fn has(&self, name: &str) -> bool {
         self.entry(name).is_some()
+    }
+
+    /// Whether the scene gives a key at all, be its value sound or not: it is not missing then.
+    #[must_use]
+    pub fn stands(&self, name: &str) -> bool {
+        self.has(name) || self.unsound.contains(&name)
+    }
+
+    /// Whether every value that the scene gives in this table itself is sound.
+    #[must_use]
+    pub fn is_sound(&self) -> bool {
+        self.unsound.is_empty()
     }
 
     /// Place of a key's value; of the table where the key is absent.

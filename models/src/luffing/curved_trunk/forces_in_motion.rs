@@ -2,6 +2,7 @@
 //! balance. [Newton and Euler]
 
 use crate::component::stages::{absent, results};
+use crate::drive::hauling::Pushes;
 use crate::drive::line::Drive;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
@@ -54,6 +55,12 @@ results! { TrunkForces as f => {
     F_D: f.f_d.ok_or_else(absent)?;
     Z_TIE: f.n_t;
 } }
+
+impl<C: Copy> Pushes<C> for TrunkForces<C> {
+    fn f_d(&self) -> Option<C> {
+        self.f_d
+    }
+}
 
 impl<C: Calc> TrunkForces<C> {
     /// At the boom's angle (rad), under gravity in m/s²: the trunk about B, N_t h_t = M_tB; the boom about O1.

@@ -231,6 +231,9 @@ impl Described for CurvedTrunk {
     fn check(this: &Description<CurvedTrunk>, v: &Values, found: &mut Vec<Diagnostic>) {
         let mut model = this.standing();
         told::check::<CurvedTrunkBoom>(&model, &this.cases, v, found);
+        if this.moving.is_some() {
+            drive::hauling::check(&mut model, v, found);
+        }
         let results = 0..model.variables().len();
         let tie = results
             .clone()

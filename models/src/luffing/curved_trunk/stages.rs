@@ -10,9 +10,11 @@ use crate::component::part::{Component, Port, ports};
 use crate::component::stages::Found;
 use crate::component::whole::{How, Whole};
 use crate::drive::crank::{Cranked, cranked};
-use crate::drive::fragments::{driven, shaft};
+use crate::drive::fragments::{driven, shaft, taut_rope};
+use crate::drive::hauling::{Hauling, hauling};
 use crate::drive::line::{self, Drive, Reaction};
 use crate::drive::mount::DrivenBar;
+use crate::drive::symbols::Z_PULL;
 use crate::drive::way::DriveWay;
 use crate::kernel::group::One;
 use crate::kernel::symbol::{Symbol, listed};
@@ -53,7 +55,7 @@ use crate::parts::plane::Point;
 /// Quantities at rest and in motion, and of the drive.
 mod s {
     pub use crate::balance::symbols::{F_KX, F_KY, F_MX, F_MY, N_1};
-    pub use crate::drive::symbols::{F_D, L_D, Q_D, T_CR, V_D};
+    pub use crate::drive::symbols::{F_D, L_D, Q_D, S_LM, S_LM_IN, S_LM_OUT, T_CR, V_D};
     pub use crate::luffing::curved_trunk::symbols::*;
     pub use crate::luffing::moving::symbols::{F_AIR, H_G, M_R, M_R_H, M_SLOPE, M_WIND, N_G, P_AIR, S_R, W_BLOW};
     pub use crate::luffing::resistances::symbols::F_R;
@@ -124,6 +126,7 @@ composed! {
         countered: BalanceInMotion<C> = single::countered(acting, balance[!]);
         forces: TrunkForces<C> = forces(boom, phi, contact, position, travel, acting, drive[?]);
         pressing: C = forces_in_motion::pressure(forces, width[!]) => P_T;
+        hauling: Hauling<C> = hauling(gear[!], forces);
         ..surrounded(phi);
         events: CraneEvents<C> = stages::events(built, told, at, phi, fitted);
     }
@@ -131,12 +134,14 @@ composed! {
 
 luffs!(CurvedTrunkBoom by phi, omega with motor holds taut);
 
+taut_rope!(pulls by phi);
+
 resists!(CurvedTrunkBoom with resisting::PARTS);
 
 said! { CurvedTrunkBoom: Said {
     bar: [&[&b::PHI, &s::OMEGA], &rates_after::<22>(Trunked::RATES)],
     still: &[t::ALL, b::ALL, crate::drive::symbols::ALL],
-    moving: listed!(s: M_D, P_D, N_T, Q_T, P_T, F_BX, F_BY, F_O1X, F_O1Y, F_D, N_1, F_KX, F_KY, F_MX, F_MY),
+    moving: listed!(s: M_D, P_D, N_T, Q_T, P_T, F_BX, F_BY, F_O1X, F_O1Y, F_D, N_1, F_KX, F_KY, F_MX, F_MY, S_LM, S_LM_OUT, S_LM_IN),
     drive: Some(&s::M_D),
     remarks: &[],
 } }
@@ -144,7 +149,7 @@ said! { CurvedTrunkBoom: Said {
 impl Component for CurvedTrunkBoom {
     luffing_component!(position);
 
-    const INDICATORS: &'static [&'static Symbol] = &joined::<_, 26, 1, 27>(INDICATORS, [&s::Z_TIE]);
+    const INDICATORS: &'static [&'static Symbol] = &joined::<_, 26, 2, 28>(INDICATORS, [&s::Z_TIE, &Z_PULL]);
 
     const WHOLE: &'static [Whole] = &joined::<_, 5, 4, 9>(
         [
@@ -172,8 +177,9 @@ impl Component for CurvedTrunkBoom {
     }
 }
 
-/// Whether the tie pulls.
+/// Whether the tie pulls, and a rope that drives the boom.
 fn taut(known: &mut Known<f64>) -> Found<()> {
+    pulls(known)?;
     let (phi, n_t) = (known.given.phi.1, known.forces()?.n_t);
     slack(phi, n_t).map_or(Ok(()), |what| {
         let help = "this motion ends there: drive, brake, stop and hoist more gently, or let more weigh on the trunk in front of B";

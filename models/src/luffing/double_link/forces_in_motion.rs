@@ -4,6 +4,7 @@
 //! In the plane of the mechanism, also where it slews: what acts across that plane is not told.
 
 use crate::balance::symbols as b;
+use crate::drive::hauling::Pushes;
 use crate::drive::line::force;
 use crate::kernel::calc::Calc;
 use crate::kernel::symbol::Symbol;
@@ -30,7 +31,7 @@ pub struct ForcesInMotion<C> {
 }
 
 /// Results in motion in the place of those at rest, and those that only motion has.
-pub static RESULTS: [&Symbol; 21] = [
+pub const RESULTS: [&Symbol; 21] = [
     &g::F_BX,
     &g::F_BY,
     &g::F_CX,
@@ -53,6 +54,12 @@ pub static RESULTS: [&Symbol; 21] = [
     &s::M_RV,
     &s::M_RS,
 ];
+
+impl<C: Copy> Pushes<C> for ForcesInMotion<C> {
+    fn f_d(&self) -> Option<C> {
+        self.f_d
+    }
+}
 
 impl<C: Posing<C> + Coordinate<C>> ForcesInMotion<C> {
     /// Of a crane at an instant; `None` where linkage or balance do not close.

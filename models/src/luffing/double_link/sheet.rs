@@ -101,6 +101,9 @@ impl Described for LuffingScene {
     /// Checks that its cases exist all over the working range, and the mechanism at each published row.
     fn check(luffing: &Luffing, v: &Values, found: &mut Vec<Diagnostic>) {
         resistances::told::check::<DoubleLink>(&luffing.standing(), &luffing.cases, v, found);
+        if luffing.moving.is_some() {
+            drive::hauling::check(&mut luffing.standing(), v, found);
+        }
         if let Some((published, table)) = luffing.published.as_ref().zip(v.table("published")) {
             // The first line has the names.
             let places = table.texts("values").iter().skip(1);

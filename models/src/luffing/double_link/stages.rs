@@ -10,9 +10,11 @@ use crate::component::part::{Component, Port, ports};
 use crate::component::stages::{Found, absent};
 use crate::component::whole::{How, Whole};
 use crate::drive::crank::{Cranked, cranked};
-use crate::drive::fragments::{driven, shaft};
+use crate::drive::fragments::{driven, shaft, taut_rope};
+use crate::drive::hauling::{Hauling, PULLS, hauling};
 use crate::drive::line::{self, Drive, Reaction};
 use crate::drive::mount::{Bore, DriveMount, DrivenBar};
+use crate::drive::symbols::Z_PULL;
 use crate::drive::way::DriveWay;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
@@ -46,9 +48,7 @@ use crate::luffing::moving::level::{CraneAt, Level};
 use crate::luffing::moving::listed::{Said, luffing_component, said};
 use crate::luffing::moving::luffs::luffs;
 use crate::luffing::moving::reduced::Renewed;
-use crate::luffing::moving::stages::{
-    self, CraneEvents, CraneMoves, CraneOil, CraneRates, INDICATORS, LoadSeen, OilFlows,
-};
+use crate::luffing::moving::stages::{self, CraneEvents, CraneMoves, CraneOil, INDICATORS, LoadSeen, OilFlows};
 use crate::luffing::resistances::fragments::{cases, chosen, resisted, sheared};
 use crate::luffing::resistances::outline::WHOLE;
 use crate::luffing::resistances::symbols::M_R_OWN;
@@ -136,28 +136,30 @@ composed! {
         ..told(theta, omega);
         at: CraneAt<C> = stages::at(theta, omega, states[!], wound, past[!], commands, brake, second, fitted) => _;
         moves: CraneMoves<C> = stages::moves(built, told, at, theta) => _;
-        turning_link: LinkRates<C> = LinkRates::new(moves);
-        rates: CraneRates<C> = CraneRates::new(moves, fitted);
+        rates: LinkRates<C> = LinkRates::new(moves, fitted);
         pushing: C = stages::cylinder(built, told, at, theta) => F_C;
         ..pulled(theta);
         forces: CraneForces<C> = motion::forces(linkage, built, told, at, theta);
+        hauling: Hauling<C> = hauling(gear[!], forces);
         ..surrounded(theta);
         resisting_slewing: C = stages::resisting_slewing(built, told, at, theta) => M_R_SL;
         seen: LoadSeen<C> = LoadSeen::new(at, fitted);
-        cavitates: CraneOil = CraneOil::new(at, rates, oil[!]);
+        cavitates: CraneOil = CraneOil::new(at, moves, oil[!]);
         oil_flows: OilFlows<C> = OilFlows::new(built, told, at, oil_parts[!]);
         events: CraneEvents<C> = stages::events(built, told, at, theta, fitted);
     }
 }
 
-luffs!(DoubleLink by theta, omega with motor, turning, oil, oil_parts);
+luffs!(DoubleLink by theta, omega with motor, turning, oil, oil_parts holds pulls);
+
+taut_rope!(pulls by theta);
 
 resists!(DoubleLink with resisting::PARTS, beside outline::SIDE_BY_SIDE, worked outline::UNBALANCED);
 
 said! { DoubleLink: Said {
     bar: [&[&s::THETA_1, &s::OMEGA_1, &s::THETA_3, &s::OMEGA_3], &RATES],
     still: &[g::ALL, b::ALL, crate::drive::symbols::ALL],
-    moving: &RESULTS,
+    moving: &joined::<_, 21, 3, 24>(RESULTS, PULLS),
     drive: Some(&s::M_D),
     remarks: &[],
 } }
@@ -185,7 +187,7 @@ impl Component for DoubleLink {
         drive "Cylinder, rack, screw, sector, crank or rope between frame and driving link.": s L_D, v V_D, f F_D, q Q_D;
     };
 
-    const INDICATORS: &'static [&'static Symbol] = &INDICATORS;
+    const INDICATORS: &'static [&'static Symbol] = &joined::<_, 26, 1, 27>(INDICATORS, [&Z_PULL]);
 
     fn has(given: &Given<f64>, symbol: &'static Symbol) -> bool {
         let own = match given.choice.driven {

@@ -2,6 +2,7 @@
 //! balance. [Newton and Euler]
 
 use crate::component::stages::{Found, absent, results};
+use crate::drive::hauling::Pushes;
 use crate::drive::line::Drive;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
@@ -51,6 +52,12 @@ results! { GuidedForces as f => {
     F_O1Y: f.frame.y;
     F_D: f.f_d.ok_or_else(absent)?;
 } }
+
+impl<C: Copy> Pushes<C> for GuidedForces<C> {
+    fn f_d(&self) -> Option<C> {
+        self.f_d
+    }
+}
 
 impl<C: Calc> GuidedForces<C> {
     /// Under gravity in m/s².

@@ -190,6 +190,9 @@ impl Described for Ellipsograph {
     fn check(this: &Description<Ellipsograph>, v: &Values, found: &mut Vec<Diagnostic>) {
         possible(this, v, found);
         told::check::<EllipsographBoom>(&this.standing(), &this.cases, v, found);
+        if this.moving.is_some() {
+            drive::hauling::check(&mut this.standing(), v, found);
+        }
     }
 
     boom_levels!(Ellipsograph with inertias);

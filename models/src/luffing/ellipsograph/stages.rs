@@ -10,9 +10,11 @@ use crate::component::part::{Component, Port, ports};
 use crate::component::stages::Found;
 use crate::component::whole::{How, Whole};
 use crate::drive::crank::{Cranked, cranked};
-use crate::drive::fragments::{driven, shaft};
+use crate::drive::fragments::{driven, shaft, taut_rope};
+use crate::drive::hauling::{Hauling, hauling};
 use crate::drive::line::{self, Drive, Reaction};
 use crate::drive::mount::DrivenBar;
+use crate::drive::symbols::Z_PULL;
 use crate::drive::way::DriveWay;
 use crate::kernel::group::One;
 use crate::kernel::symbol::{Symbol, listed};
@@ -50,7 +52,7 @@ use crate::parts::plane::Point;
 /// Quantities at rest and in motion, and of the drive.
 mod s {
     pub use crate::balance::symbols::{F_KX, F_KY, F_MX, F_MY, N_1};
-    pub use crate::drive::symbols::{F_D, L_D, Q_D, T_CR, V_D};
+    pub use crate::drive::symbols::{F_D, L_D, Q_D, S_LM, S_LM_IN, S_LM_OUT, T_CR, V_D};
     pub use crate::luffing::ellipsograph::symbols::*;
     pub use crate::luffing::moving::symbols::{F_AIR, H_G, M_R, M_R_H, M_SLOPE, M_WIND, N_G, P_AIR, S_R, W_BLOW};
     pub use crate::luffing::resistances::symbols::F_R;
@@ -116,19 +118,22 @@ composed! {
         acting: Acting<C> = single::acting(boom, built, told, at, phi);
         countered: BalanceInMotion<C> = single::countered(acting, balance[!]);
         forces: GuidedForces<C> = forces(bars, boom, phi, position, acting, drive[?]);
+        hauling: Hauling<C> = hauling(gear[!], forces);
         ..surrounded(phi);
         events: CraneEvents<C> = stages::events(built, told, at, phi, fitted);
     }
 }
 
-luffs!(EllipsographBoom by phi, omega with motor);
+luffs!(EllipsographBoom by phi, omega with motor holds pulls);
+
+taut_rope!(pulls by phi);
 
 resists!(EllipsographBoom with resisting::PARTS);
 
 said! { EllipsographBoom: Said {
     bar: [&[&b::PHI, &s::OMEGA], &rates_after::<22>(Guided::RATES)],
     still: &[g::ALL, b::ALL, crate::drive::symbols::ALL],
-    moving: listed!(s: M_D, P_D, F_BX, F_CX, F_CY, N_L, F_O1X, F_O1Y, F_D, N_1, F_KX, F_KY, F_MX, F_MY),
+    moving: listed!(s: M_D, P_D, F_BX, F_CX, F_CY, N_L, F_O1X, F_O1Y, F_D, N_1, F_KX, F_KY, F_MX, F_MY, S_LM, S_LM_OUT, S_LM_IN),
     drive: Some(&s::M_D),
     remarks: &[],
 } }
@@ -136,7 +141,7 @@ said! { EllipsographBoom: Said {
 impl Component for EllipsographBoom {
     luffing_component!(position);
 
-    const INDICATORS: &'static [&'static Symbol] = &INDICATORS;
+    const INDICATORS: &'static [&'static Symbol] = &joined::<_, 26, 1, 27>(INDICATORS, [&Z_PULL]);
 
     const WHOLE: &'static [Whole] = &joined::<_, 5, 4, 9>(
         [

@@ -102,6 +102,8 @@ pub struct Moving {
     pub geared: bool,
     /// Whether brakes are on that.
     pub braked: bool,
+    /// Whether the rope of a drive holds it.
+    pub roped: bool,
     /// What of wind and slope it meets.
     pub meets: Meets,
     /// In which drives come up to their speed in the book's manoeuvres, in s.
@@ -127,6 +129,7 @@ impl Moving {
         let shaft = [
             self.geared.then_some("motor_shaft"),
             self.braked.then_some("shaft_brakes"),
+            self.roped.then_some("drive_taut"),
             self.meets.pressure.then_some("wind_in_motion"),
             self.meets.slope.then_some("slope_in_motion"),
         ];
@@ -212,6 +215,7 @@ impl Moving {
             rope,
             geared,
             braked,
+            roped: v.table("drive").is_some_and(|drive| drive.text("kind") == Some("rope")),
             meets,
         })
     }

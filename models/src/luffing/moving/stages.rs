@@ -259,9 +259,9 @@ impl<C: Calc> Rows<C> for CraneOil {
 }
 
 impl CraneOil {
-    pub fn new<C: Calc>(at: &CraneAt<C>, rates: &CraneRates<C>, _: &CylinderOil<C>) -> CraneOil {
+    pub fn new<C: Calc>(at: &CraneAt<C>, moves: &CraneMoves<C>, _: &CylinderOil<C>) -> CraneOil {
         let oil = Hydraulic::<MOST>::oil(&at.y.map(C::value));
-        CraneOil(oil.cavitates(|| [0, 1, 2, 3].map(|i| rates.0[i].value())))
+        CraneOil(oil.cavitates(|| [2, 3, 4, 5].map(|i| moves.0[i].value())))
     }
 }
 

@@ -60,15 +60,18 @@ impl SpeedControl {
             );
             return Err(drive.refuse(moment, what, "not used", help));
         }
-        let stands = |id: &'static str| table.has(id) || table.unsound.contains(&id);
-        let to_place = stands(place.id);
-        if to_place && stands(speed.id) {
+        let to_place = table.stands(place.id);
+        if to_place && table.stands(speed.id) {
             let what = format!("{} beside {}: two commands of one axis", speed.id, place.id);
             let help = format!("remove {}, or {}", speed.id, place.id);
             return Err(table.refuse(speed.id, what, "not used", help));
         }
         let [k, most] = axis.approach;
-        if let Some(odd) = axis.approach.into_iter().find(|symbol| stands(symbol.id) != to_place) {
+        if let Some(odd) = axis
+            .approach
+            .into_iter()
+            .find(|symbol| table.stands(symbol.id) != to_place)
+        {
             return Err(if to_place {
                 let what = format!("{} without {}", place.id, odd.id);
                 let help = format!("give {} and {}: how fast it goes there", k.id, most.id);
@@ -80,12 +83,12 @@ impl SpeedControl {
         }
         let command = if to_place { place } else { speed };
         let cycle = axis.settings[2];
-        if !stands(cycle.id) {
+        if !table.stands(cycle.id) {
             without_cycle(axis, table, command)?;
         }
         let whole = || {
             let [k_p, k_i, cycle, ramp, limit] = axis.settings.map(|symbol| table.of(symbol));
-            if cycle.is_none() && stands(axis.settings[2].id) {
+            if cycle.is_none() && table.stands(axis.settings[2].id) {
                 return None;
             }
             let control = SpeedControl {

@@ -73,9 +73,8 @@ impl OilParts {
 
 /// Whether a table has all that a part needs, or nothing of it.
 fn whole(table: &Values, symbols: &[&'static Symbol]) -> Result<bool, Diagnostic> {
-    let stands = |symbol: &Symbol| table.has(symbol.id) || table.unsound.contains(&symbol.id);
-    let given = symbols.iter().find(|symbol| stands(symbol));
-    let missing = symbols.iter().find(|symbol| !stands(symbol));
+    let given = symbols.iter().find(|symbol| table.stands(symbol.id));
+    let missing = symbols.iter().find(|symbol| !table.stands(symbol.id));
     let Some((given, missing)) = given.zip(missing) else {
         return Ok(given.is_some());
     };

@@ -6,6 +6,7 @@ use num_dual::Dual64;
 
 use crate::component::scalar::{EachScalar, Scalar};
 use crate::component::stages::{Found, Rows};
+use crate::drive::hauling::Pushes;
 use crate::kernel::calc::{Calc, Over};
 use crate::kernel::group::One;
 use crate::kernel::record::Rec;
@@ -27,7 +28,7 @@ use crate::luffing::moving::given::{Constants, CylinderOil, Fitted};
 use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::level::{CraneAt, Level};
 use crate::luffing::moving::reduced::Renewed;
-use crate::luffing::moving::stages::{CraneMoves, open, present, rates_after};
+use crate::luffing::moving::stages::{CraneMoves, CraneRates, open, present, rates_after};
 use crate::parts::air::AirAround;
 use crate::parts::ground::GroundBelow;
 use crate::parts::hydraulics::parts::OilParts;
@@ -130,25 +131,28 @@ pub fn built<C: Scalar>(
     room.push((C::own::<LinkInMotion>().level)(&parts[0], linkage[0].now(), fittings));
 }
 
-/// Rates of angle and rate of the driven bar, boom or rocker.
+/// Rates of angle and rate of the driven bar, boom or rocker, then those of all other states.
 #[derive(Clone, Copy, Debug)]
-pub struct LinkRates<C>([C; 2]);
+pub struct LinkRates<C>([C; 2], CraneRates<C>);
 
 const LINK_RATES: [&Symbol; 4] = *listed!(s: D_THETA_1, D_OMEGA_1, D_THETA_3, D_OMEGA_3);
 
 /// With those of all other states.
-pub static RATES: [&Symbol; 24] = rates_after(&LINK_RATES);
+pub const RATES: [&Symbol; 24] = rates_after(&LINK_RATES);
 
 impl<C: Calc> Rows<C> for LinkRates<C> {
-    const ROWS: &'static [&'static Symbol] = &LINK_RATES;
-    fn row(&self, row: u8, _: u16) -> Found<C> {
-        Ok(self.0[usize::from(row % 2)])
+    const ROWS: &'static [&'static Symbol] = &RATES;
+    fn row(&self, row: u8, of: u16) -> Found<C> {
+        match row.checked_sub(LINK_RATES.len() as u8) {
+            None => Ok(self.0[usize::from(row % 2)]),
+            Some(other) => self.1.row(other, of),
+        }
     }
 }
 
 impl<C: Calc> LinkRates<C> {
-    pub fn new(moves: &CraneMoves<C>) -> LinkRates<C> {
-        LinkRates(moves.bar())
+    pub fn new(moves: &CraneMoves<C>, fitted: &Fitted) -> LinkRates<C> {
+        LinkRates(moves.bar(), CraneRates::new(moves, fitted))
     }
 }
 
@@ -161,6 +165,12 @@ impl<C: Calc> Rows<C> for CraneForces<C> {
     fn row(&self, row: u8, _: u16) -> Found<C> {
         let found = self.0.results()[usize::from(row)];
         found.ok_or_else(|| Box::new(in_line(self.1.0, self.1.1.value())))
+    }
+}
+
+impl<C: Copy> Pushes<C> for CraneForces<C> {
+    fn f_d(&self) -> Option<C> {
+        self.0.f_d
     }
 }
 

@@ -415,7 +415,16 @@ pub(super) fn drawn<T: Shown>(planned: &Planned, model: &MovingComponent) -> Vec
 
 /// Where the forces that other parts are designed for, and what the rope does, stand among the variables.
 pub(super) fn designed(forces: &[&'static Symbol], model: &MovingComponent) -> Vec<(&'static Symbol, usize)> {
-    let own = [&m::S_R, &m::PHI_R, &m::CHI_R, &m::P_A, &m::P_B, &m::M_R_SL, &m::M_R_H];
+    let own = [
+        &d::S_LM,
+        &m::S_R,
+        &m::PHI_R,
+        &m::CHI_R,
+        &m::P_A,
+        &m::P_B,
+        &m::M_R_SL,
+        &m::M_R_H,
+    ];
     let there = |symbol: &'static Symbol| {
         let variables = model.variables().iter();
         let known = |role: Role| matches!(role, Role::Output | Role::State | Role::Calculated);

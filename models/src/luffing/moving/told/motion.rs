@@ -148,6 +148,9 @@ const SECTIONS: [(&str, &[&Symbol]); 13] = [
             &m::F_IBX,
             &m::F_IBY,
             &m::M_T,
+            &d::S_LM,
+            &d::S_LM_OUT,
+            &d::S_LM_IN,
         ],
     ),
 ];
