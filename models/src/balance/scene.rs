@@ -150,7 +150,12 @@ impl Form<f64> {
             };
             let given = v.has(key.name);
             if needs && !given {
-                found.push(missing(v.span.clone(), "in [luffing.balance]", key));
+                found.push(missing(
+                    v.span.clone(),
+                    "in [luffing.balance]",
+                    &format!("luffing.balance.{}", key.name),
+                    key,
+                ));
             } else if given && !takes {
                 found.push(v.refuse(
                     key.name,

@@ -185,7 +185,12 @@ fn all_of_it(d: &Values, found: &mut Vec<Diagnostic>) {
     let branch = (kind == "crank").then_some(CRANK_BRANCH);
     for key in keys.chain(branch).filter(|key| !d.stands(key.name)) {
         let place = format!("in [luffing.drive] of the kind \"{kind}\"");
-        found.push(missing(d.span.clone(), &place, &key));
+        found.push(missing(
+            d.span.clone(),
+            &place,
+            &format!("luffing.drive.{}", key.name),
+            &key,
+        ));
     }
 }
 

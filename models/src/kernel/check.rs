@@ -37,12 +37,7 @@ pub fn check(
             found.push(unknown(name, &place, keys));
             continue;
         };
-        let full = if path.is_empty() {
-            key.name.to_owned()
-        } else {
-            format!("{path}.{}", key.name)
-        };
-        if let Some(checked) = check_value(source, value, &full, key, found) {
+        if let Some(checked) = check_value(source, value, &under(path, key), key, found) {
             let at = values.entries.partition_point(|(before, ..)| *before < key.name);
             values.entries.insert(at, (key.name, checked, value.span()));
         } else {
@@ -51,16 +46,22 @@ pub fn check(
     }
     for key in keys.iter().filter(|key| key.required) {
         if !table.keys().any(|name| name.get_ref() == key.name) {
-            found.push(missing(span.clone(), &place, key).fix(added(source, &span, path, key)));
+            found.push(missing(span.clone(), &place, &under(path, key), key).fix(added(source, &span, path, key)));
         }
     }
     values
 }
 
-/// A key that is needed in a table and not there; `place` as "in [luffing]".
-pub(crate) fn missing(span: Range<usize>, place: &str, key: &Key) -> Diagnostic {
+/// The path of a key in the table of a path.
+fn under(path: &str, key: &Key) -> String {
+    let dot = if path.is_empty() { "" } else { "." };
+    format!("{path}{dot}{}", key.name)
+}
+
+/// A key that is needed in a table and not there; `place` as "in [luffing]", with the key's own path.
+pub(crate) fn missing(span: Range<usize>, place: &str, path: &str, key: &Key) -> Diagnostic {
     Diagnostic::new(span, format!("`{}` is missing {place}", key.name), "needed here")
-        .help(format!("add {}", example(key)))
+        .help(format!("add {}", example(path, key)))
 }
 
 /// A needed key under the header of its table, or in the first line of the scene.
@@ -70,8 +71,8 @@ fn added(source: &str, table: &Range<usize>, path: &str, key: &Key) -> Option<Ed
         .map_or(source.len(), |length| table.start + length);
     let (top, header) = (path.is_empty(), source[table.start..].starts_with('['));
     if is_table(key) {
-        let text = format!("\n[{path}{}{}]\n", if top { "" } else { "." }, key.name);
-        return (top || header).then(|| Edit::new(source.len()..source.len(), text));
+        let end = source.len()..source.len();
+        return (top || header).then(|| Edit::new(end, format!("\n[{}]\n", under(path, key))));
     }
     let (text, caret) = template(key);
     match (top, header) {
@@ -117,7 +118,9 @@ fn check_value(
     found: &mut Vec<Diagnostic>,
 ) -> Option<Value> {
     let mut wrong = |label: String| {
-        found.push(Diagnostic::new(value.span(), format!("`{path}` is not {}", wanted(key)), label).help(example(key)));
+        found.push(
+            Diagnostic::new(value.span(), format!("`{path}` is not {}", wanted(key)), label).help(example(path, key)),
+        );
         None
     };
     match (&key.kind, value.get_ref()) {
@@ -243,7 +246,7 @@ fn texts(items: &DeArray<'_>, path: &str, key: &'static Key, found: &mut Vec<Dia
             DeValue::String(text) if allowed(text) => texts.push((text.to_string(), item.span())),
             _ => {
                 let message = format!("`{path}` is not {}", wanted(key));
-                found.push(Diagnostic::new(item.span(), message, "not this").help(example(key)));
+                found.push(Diagnostic::new(item.span(), message, "not this").help(example(path, key)));
             }
         }
     }
@@ -264,7 +267,7 @@ fn tables(
             tables.push(check(source, table, item.span(), path, keys, found));
         } else {
             let message = format!("`{path}` is not {}", wanted(key));
-            found.push(Diagnostic::new(item.span(), message, "not a table").help(example(key)));
+            found.push(Diagnostic::new(item.span(), message, "not a table").help(example(path, key)));
         }
     }
     Value::Tables(tables)
@@ -283,7 +286,7 @@ fn numbers(
     for item in items {
         let DeValue::String(text) = item.get_ref() else {
             let message = format!("`{path}` is not {}", wanted(key));
-            found.push(Diagnostic::new(item.span(), message, "not a text").help(example(key)));
+            found.push(Diagnostic::new(item.span(), message, "not a text").help(example(path, key)));
             continue;
         };
         match quantity(text, symbol, sign) {
@@ -303,7 +306,7 @@ fn named(table: &DeTable<'_>, path: &str, key: &'static Key, found: &mut Vec<Dia
             named.push((name.get_ref().to_string(), text.to_string(), value.span()));
         } else {
             let message = format!("`{path}.{}` is not a number with a unit, as text", name.get_ref());
-            found.push(Diagnostic::new(value.span(), message, "not a text").help(example(key)));
+            found.push(Diagnostic::new(value.span(), message, "not a text").help(example(path, key)));
         }
     }
     Value::Named(named)
@@ -340,7 +343,7 @@ fn translated(
     let text = Text::translated(texts).filter(|_| found.len() == before);
     if text.is_none() && found.len() == before {
         let message = format!("`{path}` is in no language");
-        found.push(Diagnostic::new(span, message, "empty").help(example(key)));
+        found.push(Diagnostic::new(span, message, "empty").help(example(path, key)));
     }
     text.map(Value::Text)
 }
@@ -461,12 +464,12 @@ fn noted(
                         format!("`{path}` has {value} and `source`, both texts, and nothing else")
                     }
                 };
-                found.push(Diagnostic::new(name.span(), message, "not this").help(example(key)));
+                found.push(Diagnostic::new(name.span(), message, "not this").help(example(path, key)));
             }
         }
     }
     if number.is_none() && found.len() == before {
-        found.push(Diagnostic::new(span, format!("`{path}` has no `value`"), "needed here").help(example(key)));
+        found.push(Diagnostic::new(span, format!("`{path}` has no `value`"), "needed here").help(example(path, key)));
     }
     number.map(|number| Value::Number(GivenNumber { source, ..number }))
 }

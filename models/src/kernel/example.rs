@@ -31,18 +31,18 @@ pub(super) fn wanted(key: &Key) -> String {
     }
 }
 
-/// A key with a value, and what it is.
-pub(super) fn example(key: &Key) -> String {
+/// A key with a value, and what it is; a table by its path.
+pub(super) fn example(path: &str, key: &Key) -> String {
     match key.kind {
         Kind::Text | Kind::Line | Kind::Name | Kind::Date | Kind::Lines => format!("{} = \"...\"", key.name),
         Kind::Choice(choices) => format!("{} = \"{}\"", key.name, choices[0]),
         Kind::Quantity(symbol, _) | Kind::Weight(symbol, _) => {
             format!("{} = \"... {}\"  ({})", key.name, symbol.display.name, key.text)
         }
-        Kind::Table(_) | Kind::Kinds(_) => format!("a table [{}]  ({})", key.name, key.text),
+        Kind::Table(_) | Kind::Kinds(_) => format!("a table [{path}]  ({})", key.text),
         Kind::Texts(_) => format!("{} = [\"...\"]  ({})", key.name, key.text),
         Kind::Choices(choices) => format!("{} = [\"{}\"]", key.name, choices[0]),
-        Kind::Tables(..) => format!("tables [[{}]]  ({})", key.name, key.text),
+        Kind::Tables(..) => format!("tables [[{path}]]  ({})", key.text),
         Kind::Quantities(symbol, _, [_, most]) => {
             let each = vec![format!("\"... {}\"", symbol.display.name); most];
             format!("{} = [{}]  ({})", key.name, each.join(", "), key.text)
