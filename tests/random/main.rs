@@ -276,7 +276,7 @@ fn run(case: &Case, scene: &Scene, number: u64, outcome: &mut Outcome) -> f64 {
             .filter(|solver| solver.explicit && asks_for_step(case));
         let natural = asked.map_or(natural, |solver| natural.min(STEPS * solver.longest));
         let rates = f64::from(own.rates) - over_time(&case.table);
-        outcome.work = Some(rates.max(1.0) / f64::from(bodies) * natural / own.taken.max(natural));
+        outcome.work = Some(rates.max(0.0) / f64::from(bodies) * natural / own.taken.max(natural));
     }
     let fmu = Unpacked::new(scene.text());
     for second in [false, true] {
