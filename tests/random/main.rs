@@ -107,6 +107,20 @@ fn asks_for_step(case: &Case) -> bool {
     })
 }
 
+/// Right-hand sides that a scene asks for by what it tells over time: between two of its times the motion is solved on a grid of
+/// its own, of so many steps at least, by four each.
+fn over_time(table: &Table) -> f64 {
+    const GRID: f64 = 4.0 * 32.0;
+    let of = |value: &Value| match value {
+        Value::Table(inner) => match inner.get("over") {
+            Some(Value::Array(rows)) => GRID * (rows.len() as f64 - 1.0),
+            _ => over_time(inner),
+        },
+        _ => 0.0,
+    };
+    table.values().map(of).sum()
+}
+
 fn all(case: &Case, number: u64, outcome: &mut Outcome) {
     let text = case.text();
     let scene = match Scene::parse(&text) {
@@ -261,7 +275,8 @@ fn run(case: &Case, scene: &Scene, number: u64, outcome: &mut Outcome) -> f64 {
             .solver()
             .filter(|solver| solver.explicit && asks_for_step(case));
         let natural = asked.map_or(natural, |solver| natural.min(STEPS * solver.longest));
-        outcome.work = Some(f64::from(own.rates) / f64::from(bodies) * natural / own.taken.max(natural));
+        let rates = f64::from(own.rates) - over_time(&case.table);
+        outcome.work = Some(rates.max(0.0) / f64::from(bodies) * natural / own.taken.max(natural));
     }
     let fmu = Unpacked::new(scene.text());
     for second in [false, true] {

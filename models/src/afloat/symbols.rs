@@ -297,7 +297,7 @@ symbols! {
     D_A_MIN: "d_A_min" "Delta A_min" M_RAD / M_DEG, "Least excess of the area that stops the roll after a loss of load in the working range.", "derived";
     PHI_DYN_MAX: "phi_dyn_max" "phi_(\"dyn\",max)" RAD / DEG, "Greatest heel of a roll in a sudden wind in the working range, by amount.", "derived";
     K_C_MIN: "K_c_min" "K_(c,min)" ONE / ONE [infinite("without a sudden wind")], "Least safety against capsizing in a sudden wind in the working range.", "derived";
-    GM_MIN: "GM_min" "\"GM\"_min" M / M, "Least metacentric height in the working range, free surfaces counted.", "derived";
+    GM_MIN: "GM_min" "\"GM\"_(0,min)" M / M, "Least metacentric height in the working range, free surfaces counted.", "derived";
     U_MAX: "u_max" "u_max" ONE / ONE, "Greatest utilisation of the criteria in all further load cases.", "derived";
     AGREEMENT: "agreement" "delta" ONE / ONE, "Difference of two independent ways, relative to the largest value.", "derived";
 }
