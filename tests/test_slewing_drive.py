@@ -180,3 +180,44 @@ def test_a_motor_that_is_too_slow_for_a_case_is_refused(tmp_path):
     scene = started(tmp_path, "slip", ('n_s   = "0.5 1/min"', 'n_s = "1.6 1/min"'), lambda_bd="2.6", n_0="1000 1/min")
     told = lemnis("check", scene, expect=1)
     assert "in load case 2 a motor would have to turn at 1024 1/min, which is not below n_0 = 1000 1/min" in told
+
+
+STAGES, RING = [(2.8, 0.96), (4.0, 0.97), (4.7, 0.97)], (2.2 / 0.18, 0.94)
+
+
+def test_torque_speed_and_power_go_on_from_shaft_to_shaft(tmp_path):
+    text = SCENE.read_text(encoding="utf-8")
+    stages = "".join(f'[[supports.slewing_drive.stages]]\ni_g = "{i}"\neta_g = "{eta}"\n' for i, eta in STAGES)
+    for old, new in (('i_sl     = "640"\n', ""), ('eta_sl   = "85 %"\n', ""), ("[supports.slewing_drive.brake]", stages + "[supports.slewing_drive.brake]"),
+                     ('r_g     = "2.2 m"\n', f'r_g = "2.2 m"\neta_r = "{RING[1]}"\n')):
+        assert old in text
+        text = text.replace(old, new, 1)
+    (tmp_path / "staged.toml").write_text(text, encoding="utf-8")
+    shafts = range(1, 4)
+    cases = [f"{name}[{case}]" for name in ("M_st", "T_0", "J_start", "J_c", "t_start") for case in (1, 2)]
+    names = ["n_g0", "T_g0", "P_g0", "T_gp0", *(f"{name}[{j}]" for name in ("n_g", "T_g", "P_g", "T_gp") for j in shafts)]
+    found = outputs(tmp_path / "staged.toml", tmp_path, [*names, *cases])
+    ratios, efficiencies = (np.cumprod([1.0, *(stage[k] for stage in STAGES)]) for k in (0, 1))
+    ratio, efficiency = ratios[-1] * RING[0], efficiencies[-1] * RING[1]
+    speed = ratio * 1.5 / 60
+    torque = found["M_st[1]"] / (ratio * DRIVES * efficiency)
+    # What accelerates all but the motor's own inertia, in the mean of a start; in the first case most is asked.
+    push = np.max([found[f"T_0[{c}]"] + found[f"J_c[{c}]"] / (ratio**2 * DRIVES * efficiency) * ratio * 2 * np.pi * n / 60 / found[f"t_start[{c}]"]
+                   for c, n in ((1, 1.5), (2, 0.5))], axis=0)
+    for j in (0, *shafts):
+        at = (lambda name: found[f"{name}0"]) if j == 0 else (lambda name: found[f"{name}[{j}]"])
+        assert at("n_g") == pytest.approx(speed / ratios[j], rel=1e-12)
+        assert at("T_g") == pytest.approx(torque * ratios[j] * efficiencies[j], rel=1e-12)
+        assert at("P_g") == pytest.approx(2 * np.pi * speed * torque * efficiencies[j], rel=1e-12)
+        assert at("T_gp") == pytest.approx(push * ratios[j] * efficiencies[j], rel=1e-11)
+
+
+@pytest.mark.parametrize("language", ["en", "zh", "bg"])
+def test_the_book_has_a_table_of_all_shafts(language, tmp_path):
+    scene = ROOT / "models/scenes/portal_004_ring.toml"
+    lemnis("book", scene, "--language", language, "--format", "typ", "--output", tmp_path)
+    book = typst(next(tmp_path.glob("*.typ")))
+    known = words(language)
+    assert known["section"]["turning_gear"] in book and known["section"]["turning_shafts"] in book
+    assert known["table"]["turning_shafts"] in book
+    assert known["check"]["turning_gear"] in book

@@ -16,7 +16,7 @@ pub const OUTLINE: Outline = Outline {
         carried_luffing "luffing", carried_weights "luffing.weights", carried_balance "luffing.balance", carried_inertias "luffing.dynamics", carried_range "luffing.motion",
         upper_slope "slope", upper_areas "areas",
         upper_cases "load_cases", column_bearings "bearings", column_friction "friction",
-        column_counterweight "counterweight", turning_drive "slewing_drive", case_start "slewing_drive.start", turning_brake "slewing_drive.brake", turning_coupling "slewing_drive.coupling", turning_pinion "slewing_drive.pinion",
+        column_counterweight "counterweight", turning_drive "slewing_drive", turning_stages "slewing_drive.stages", case_start "slewing_drive.start", turning_brake "slewing_drive.brake", turning_coupling "slewing_drive.coupling", turning_pinion "slewing_drive.pinion",
         motion, limits
     ),
     constants: &CONSTANTS,
@@ -39,7 +39,7 @@ pub const OUTLINE: Outline = Outline {
     worst: &[("greatest_bearing_force", &s::H_U_TOP)],
 };
 
-const CONSTANTS: [SectionOutline; 6] = joined(OWN_CONSTANTS, drive::CONSTANTS);
+const CONSTANTS: [SectionOutline; 7] = joined(OWN_CONSTANTS, drive::CONSTANTS);
 
 const OWN_CONSTANTS: [SectionOutline; 4] = [
     ("carried_luffing", &[Stage("luffed"), Stage("spun")]),
@@ -66,7 +66,7 @@ const OWN_CURVES: [Line; 4] = [
     ("column_foot", None, &s::H_F),
 ];
 
-const EXTREMES: [Greatest; 26] = joined(OWN_EXTREMES, drive::EXTREMES);
+const EXTREMES: [Greatest; 27] = joined(OWN_EXTREMES, drive::EXTREMES);
 
 const OWN_EXTREMES: [Greatest; 9] = [
     Greatest::new(&s::V_TOP, Most::Greatest, &s::V),

@@ -25,8 +25,9 @@ use crate::supports::column::pressure::Bearings;
 use crate::supports::column::stages::{Given, SlewingColumn};
 use crate::supports::column::symbols as s;
 use crate::supports::drive;
-use crate::supports::drive::checks::{StandingThere, about_the_axis};
+use crate::supports::drive::checks::{StandingThere, about_the_axis, through_the_gear};
 use crate::supports::drive::scene::{DRIVE, TurningScene};
+use crate::supports::drive::told::shafts;
 use crate::supports::plan::{LeftOpen, each};
 use crate::supports::upper;
 use crate::supports::upper::keys::{self, AREAS, LOAD_CASES, MOTION, SLOPE, UPPER};
@@ -148,6 +149,8 @@ impl Described for ColumnScene {
             brake: turning.brake,
             limit: turning.limit,
             pinion: turning.pinion,
+            stages: turning.stages.clone(),
+            mesh: turning.mesh,
             turns: turning.choice,
             open: LeftOpen::read(v, &[&s::R, &s::Q]),
         };
@@ -169,6 +172,7 @@ impl Described for ColumnScene {
     fn identities(this: &Description<ColumnScene>, model: &mut Standing) -> Vec<Check> {
         let mut checks = about_the_foot(model, *this.given.height);
         checks.extend(turned(this, model));
+        checks.extend(through_the_gear(model, &this.turning));
         checks
     }
 
@@ -187,7 +191,8 @@ impl Described for ColumnScene {
             .collect()
     }
 
-    fn more(this: &Description<ColumnScene>, _: &mut Standing, sheet: &mut Sheet) {
+    fn more(this: &Description<ColumnScene>, model: &mut Standing, sheet: &mut Sheet) {
+        shafts::<ColumnScene>(model, sheet);
         let governing = sheet.positions.first().map(|position| position.value);
         sheet
             .curves

@@ -59,7 +59,8 @@ impl Component for SlewingColumn {
     fn has(given: &Given<f64>, symbol: &'static Symbol) -> bool {
         let standing = [given.slope.is_some(), !given.areas.is_empty(), given.luffer.is_some()];
         let starts = given.slip.is_some() || given.inverter.is_some();
-        let turning = [given.drive.is_some(), given.rope.is_some(), starts];
+        let staged = !given.stages.is_empty();
+        let turning = [given.drive.is_some(), given.rope.is_some(), starts, staged];
         upper::keys::has(symbol, standing) && drive::has(symbol, standing, turning)
     }
 

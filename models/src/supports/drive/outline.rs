@@ -3,10 +3,11 @@
 use crate::component::outline::Explained::Stage;
 use crate::component::outline::{Greatest, Limit, Line, Most, SectionOutline};
 use crate::component::whole::{How, Whole};
-use crate::kernel::symbol::Symbol;
+use crate::kernel::symbol::{Symbol, listed};
 use crate::supports::drive::symbols as s;
 
-pub const CONSTANTS: [SectionOutline; 2] = [
+pub const CONSTANTS: [SectionOutline; 3] = [
+    ("turning_gear", &[Stage("geared")]),
     ("turning_works", &[Stage("works_turned")]),
     ("turning_mesh", &[Stage("meshed")]),
 ];
@@ -28,7 +29,7 @@ pub const CURVES: [Line; 3] = [
     ("turning_stop", None, &s::T_STOP),
 ];
 
-pub const EXTREMES: [Greatest; 17] = [
+pub const EXTREMES: [Greatest; 18] = [
     Greatest::new(&s::M_ST_TOP, Most::Greatest, &s::M_ST),
     Greatest::new(&s::P_M_MAX, Most::Greatest, &s::P_M),
     Greatest::new(&s::U_M_MAX, Most::Greatest, &s::U_M),
@@ -43,10 +44,17 @@ pub const EXTREMES: [Greatest; 17] = [
     Greatest::new(&s::PSI_STOP_MAX, Most::Greatest, &s::PSI_STOP),
     Greatest::new(&s::A_STOP_MAX, Most::Greatest, &s::A_STOP),
     Greatest::new(&s::T_LIM_MAX, Most::Greatest, &s::T_LIM),
+    Greatest::new(&s::T_GP_MAX, Most::Greatest, &s::T_GP),
     Greatest::new(&s::F_T_MAX, Most::Greatest, &s::F_T),
     Greatest::new(&s::SIGMA_FZ_MAX, Most::Greatest, &s::SIGMA_FZ),
     Greatest::new(&s::SIGMA_HZ_MAX, Most::Greatest, &s::SIGMA_HZ),
 ];
+
+/// Shafts of the gear, of which the last one is told.
+pub const SHAFTS: &[SectionOutline] = &[("turning_shafts", &[Stage("carrying"), Stage("shafts")])];
+
+/// Columns of their table, after the number of each.
+pub const SHAFT_COLUMNS: &[&Symbol] = listed!(s: U_G, ETA_U, N_G, T_G, P_G, T_GP);
 
 /// Of the motors over slewing there and back.
 pub const WHOLE: [Whole; 2] = [

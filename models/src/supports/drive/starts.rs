@@ -7,7 +7,7 @@ use crate::kernel::calc::Calc;
 use crate::parts::starts::inverter::Ramped;
 use crate::parts::starts::slip::Slipped;
 use crate::parts::starts::{InverterStart, RatedPoint, SlipStart, Starting};
-use crate::supports::drive::given::TurningDrive;
+use crate::supports::drive::gear::TurningDrive;
 use crate::supports::drive::inertia::Outswing;
 use crate::supports::drive::motor::TurningMotor;
 use crate::supports::drive::resistance::TurningMoments;
@@ -92,8 +92,17 @@ impl<C: Calc> HardestPush<C> {
         }
     }
 
+    /// Torque behind the motor's own inertia in a start, in N·m: T_0 + (J_t − J_M) ω̇; of a case in which nothing slews T_0.
+    pub fn behind(&self, drive: &TurningDrive<C>, motor: &TurningMotor<C>) -> C {
+        if motor.n.value() > 0.0 {
+            motor.against + self.torque(motor.inertia - drive.j, motor)
+        } else {
+            motor.against
+        }
+    }
+
     /// Torque that an inertia at the motor's shaft (kg·m²) takes then, in N·m.
-    pub fn torque(&self, inertia: C, motor: &TurningMotor<C>) -> C {
+    fn torque(&self, inertia: C, motor: &TurningMotor<C>) -> C {
         match self.0 {
             Some([_, rate]) => inertia * rate,
             None => inertia * (C::constant(TAU) * motor.n) / motor.time,

@@ -16,7 +16,7 @@ pub const OUTLINE: Outline = Outline {
         carried_luffing "luffing", carried_weights "luffing.weights", carried_balance "luffing.balance", carried_inertias "luffing.dynamics", carried_range "luffing.motion",
         upper_slope "slope", upper_areas "areas",
         upper_cases "load_cases", ring_contact "contact", ring_capacity "capacity", ring_curve "capacity.curve",
-        ring_friction "friction", ring_maker "maker_friction", ring_bolts "bolts", ring_life "life", turning_drive "slewing_drive", case_start "slewing_drive.start", turning_brake "slewing_drive.brake", turning_coupling "slewing_drive.coupling", turning_pinion "slewing_drive.pinion",
+        ring_friction "friction", ring_maker "maker_friction", ring_bolts "bolts", ring_life "life", turning_drive "slewing_drive", turning_stages "slewing_drive.stages", case_start "slewing_drive.start", turning_brake "slewing_drive.brake", turning_coupling "slewing_drive.coupling", turning_pinion "slewing_drive.pinion",
         motion, limits
     ),
     constants: &CONSTANTS,
@@ -40,7 +40,7 @@ pub const OUTLINE: Outline = Outline {
     worst: &[("greatest_rolling_force", &s::P_TOP)],
 };
 
-const CONSTANTS: [SectionOutline; 6] = joined(OWN_CONSTANTS, drive::CONSTANTS);
+const CONSTANTS: [SectionOutline; 7] = joined(OWN_CONSTANTS, drive::CONSTANTS);
 
 const OWN_CONSTANTS: [SectionOutline; 4] = [
     ("carried_luffing", &[Stage("luffed"), Stage("spun")]),
@@ -71,7 +71,7 @@ const OWN_CURVES: [Line; 5] = [
     ("ring_least", None, &s::P_MIN),
 ];
 
-const EXTREMES: [Greatest; 33] = joined(OWN_EXTREMES, drive::EXTREMES);
+const EXTREMES: [Greatest; 34] = joined(OWN_EXTREMES, drive::EXTREMES);
 
 const OWN_EXTREMES: [Greatest; 16] = [
     Greatest::new(&s::V_TOP, Most::Greatest, &s::V),

@@ -21,8 +21,9 @@ use crate::parts::load_curve::{LoadCurve, corner};
 use crate::parts::motion::Motion;
 use crate::parts::plane::Point;
 use crate::supports::drive;
-use crate::supports::drive::checks::{StandingThere, about_the_axis};
+use crate::supports::drive::checks::{StandingThere, about_the_axis, through_the_gear};
 use crate::supports::drive::scene::{DRIVE, TurningScene};
+use crate::supports::drive::told::shafts;
 use crate::supports::plan::{LeftOpen, each};
 use crate::supports::ring::bolts::RingBolts;
 use crate::supports::ring::capacity::Equivalent;
@@ -240,6 +241,8 @@ impl Described for RingScene {
             brake: turning.brake,
             limit: turning.limit,
             pinion: turning.pinion,
+            stages: turning.stages.clone(),
+            mesh: turning.mesh,
             turns: turning.choice,
             open: LeftOpen::read(v, &[&s::R, &s::Q]),
         };
@@ -263,6 +266,7 @@ impl Described for RingScene {
         let bolts = this.given.bolts.as_ref();
         checks.extend(bolts.map(|given| bolt_pulls(model, [given.n, given.d])));
         checks.extend(turned(this, model));
+        checks.extend(through_the_gear(model, &this.turning));
         checks
     }
 
@@ -302,6 +306,7 @@ impl Described for RingScene {
 
     /// The moment over the reach; the load curve, with the reference loads of the cases where the curve is used most.
     fn more(this: &Description<RingScene>, model: &mut Standing, sheet: &mut Sheet) {
+        shafts::<RingScene>(model, sheet);
         let governing = sheet.positions.first().map(|position| position.value);
         sheet
             .curves
