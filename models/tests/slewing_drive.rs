@@ -376,3 +376,37 @@ fn derivatives_by_stages() {
     let count = compared(&mut model, &["omega", "s", "z_d"], &[]);
     assert!(count > 5_000, "{count}");
 }
+
+/// Exact derivatives of an engine's start against differences.
+#[test]
+fn derivatives_of_an_engine() {
+    let points = [(400, 200), (800, 290), (1200, 330), (1450, 270), (1800, 120)];
+    let mut start = String::from(
+        "[supports.slewing_drive.start]\nkind = \"engine\"\nn_idle = \"450 1/min\"\nn_gov = \"1700 1/min\"\n",
+    );
+    for (n, torque) in points {
+        let _ = writeln!(
+            start,
+            "[[supports.slewing_drive.start.curve]]\nn_en = \"{n} 1/min\"\nT_en = \"{torque} N.m\""
+        );
+    }
+    let mut text = READY.to_owned();
+    for (old, new) in [
+        ("i_sl     = \"640\"", "i_sl = \"1000\""),
+        ("P_N      = \"22 kW\"", "P_N = \"40 kW\""),
+        ("n_N      = \"960 1/min\"", "n_N = \"1500 1/min\""),
+        (
+            "[supports.slewing_drive.brake]",
+            &format!("{start}[supports.slewing_drive.brake]"),
+        ),
+    ] {
+        assert!(text.contains(old), "{old}");
+        text = text.replacen(old, new, 1);
+    }
+    let mut model = model(&text);
+    for psi in [0.7, -1.9] {
+        set(&mut model, "psi", psi);
+        let count = compared(&mut model, &["omega", "s", "z_d", "n_s"], &["lifts"]);
+        assert!(count > 5_000, "{count}");
+    }
+}

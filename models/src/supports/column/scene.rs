@@ -25,6 +25,7 @@ use crate::supports::column::pressure::Bearings;
 use crate::supports::column::stages::{Given, SlewingColumn};
 use crate::supports::column::symbols as s;
 use crate::supports::drive;
+use crate::supports::drive::able::able;
 use crate::supports::drive::checks::{StandingThere, about_the_axis, through_the_gear};
 use crate::supports::drive::scene::{DRIVE, TurningScene};
 use crate::supports::drive::told::shafts;
@@ -49,7 +50,7 @@ pub const KEYS: &[Key] = keys! { s:
 static BEARINGS: &[Key] = keys! { s: D_U > 0, B_U > 0, D_F > 0, B_F > 0, D_P > 0, D_I >= 0 [usually(0.0)] };
 static FRICTION: &[Key] = keys! { s: MU_U >= 0, MU_F >= 0, MU_P >= 0 };
 static COUNTERWEIGHT: &[Key] = keys! { s: R_D > 0 };
-const LIMITS: &[Key] = &Limit::keys::<16>(OUTLINE.limits);
+const LIMITS: &[Key] = &Limit::keys::<18>(OUTLINE.limits);
 
 /// A column as the scene describes it; SI.
 #[derive(Clone, Debug)]
@@ -141,8 +142,7 @@ impl Described for ColumnScene {
             gravity: turning.gravity,
             drive: turning.drive,
             rope: turning.rope,
-            slip: turning.start.slip,
-            inverter: turning.start.inverter,
+            starting: turning.start.clone(),
             works: turning.works.clone(),
             places: turning.places.clone(),
             holds: turning.holds.clone(),
@@ -159,6 +159,10 @@ impl Described for ColumnScene {
 
     fn given(this: &Description<ColumnScene>) -> Given<f64> {
         this.given.clone()
+    }
+
+    fn check(this: &Description<ColumnScene>, v: &Values, found: &mut Vec<Diagnostic>) {
+        able(this, &this.turning, v, found);
     }
 
     fn levels(&self) -> Vec<&'static str> {

@@ -7,8 +7,7 @@ macro_rules! turned_by {
             Parameter gravity: Option<One<C>>,
             Parameter drive: Option<$crate::supports::drive::given::GivenDrive<C>>,
             Parameter rope: Option<One<C>>,
-            Parameter slip: Option<$crate::parts::starts::SlipStart<C>>,
-            Parameter inverter: Option<$crate::parts::starts::InverterStart<C>>,
+            Parameter starting: Option<$crate::parts::starts::way::StartWay<C>>,
             Parameter works: Vec<$crate::supports::drive::given::TurningCase<C>>,
             Parameter places: Vec<$crate::supports::drive::given::TurnedArea<C>>,
             Parameter holds: Vec<$crate::parts::motor::CaseHold<C>>,
@@ -50,12 +49,10 @@ macro_rules! turned {
                 );
             motors[each works]: Vec<$crate::supports::drive::motor::TurningMotor<C>> =
                 $crate::supports::drive::motor::TurningMotor::new(geared, works[each], turned[each], swung[each]);
-            slipped[each works]: Vec<$crate::parts::starts::slip::Slipped<C>> =
-                $crate::supports::drive::starts::slipped(geared, slip[!], swung[each], motors[each]);
-            ramped[each works]: Vec<$crate::parts::starts::inverter::Ramped<C>> =
-                $crate::supports::drive::starts::ramped(geared, inverter[!], swung[each], motors[each]);
+            started[each works]: Vec<$crate::parts::starts::way::Started<C>> =
+                $crate::supports::drive::starts::started(geared, starting[!], swung[each], motors[each]);
             pushed[each works]: Vec<$crate::supports::drive::starts::HardestPush<C>> =
-                $crate::supports::drive::starts::HardestPush::new(geared, slip, inverter, motors[each]);
+                $crate::supports::drive::starts::HardestPush::new(geared, starting, motors[each]);
             heat: $crate::supports::drive::motor::TurningHeat<C> =
                 $crate::supports::drive::motor::TurningHeat::new(geared, turns, swung, motors);
             holding[each holds]: Vec<$crate::supports::drive::brake::TurningHold<C>> =

@@ -17,10 +17,11 @@
 //! | `drive.inertia` | [`inertia::TurnedWorks::new`], [`inertia::Outswing::new`] | Ports001, 6.5.1; implicit function |
 //! | `drive.resistance` | [`resistance::TurningMoments::new`] | Ports001, 6.5.1 |
 //! | `drive.motor` | [`motor::TurningMotor::new`], [`motor::TurningHeat::new`] | Ports001, 6.5.2 |
-//! | `drive.starts` | [`starts::slipped`], [`starts::ramped`], [`starts::HardestPush::new`] | Ports001, 6.5.2 |
+//! | `drive.starts` | [`starts::started`], [`starts::HardestPush::new`] | Ports001, 6.5.2 |
 //! | `drive.brake` | [`brake::TurningHold::new`], [`brake::TurningStop::new`], [`brake::Coupled::new`] | Ports001, 6.5.4 |
 //! | `drive.pinion` | [`pinion::meshed`], [`pinion::PinionForce::new`] | Ports001, 6.5.4; Hertz, Lewis |
 
+pub mod able;
 pub mod brake;
 pub mod checks;
 pub mod fragments;

@@ -1,9 +1,10 @@
 //! What the book tells of a slewing drive.
 
-use crate::component::outline::Explained::Stage;
+use crate::component::outline::Explained::{Rows, Stage};
 use crate::component::outline::{Greatest, Limit, Line, Most, SectionOutline};
 use crate::component::whole::{How, Whole};
 use crate::kernel::symbol::{Symbol, listed};
+use crate::parts::starts::way::{ENGINED, RAMPED, SLIPPED};
 use crate::supports::drive::symbols as s;
 
 pub const CONSTANTS: [SectionOutline; 3] = [
@@ -12,12 +13,13 @@ pub const CONSTANTS: [SectionOutline; 3] = [
     ("turning_mesh", &[Stage("meshed")]),
 ];
 
-pub const SECTIONS: [SectionOutline; 8] = [
+pub const SECTIONS: [SectionOutline; 9] = [
     ("turning_steady", &[Stage("swung")]),
     ("turning_moments", &[Stage("rubbing"), Stage("turned")]),
     ("turning_motor", &[Stage("motors")]),
-    ("resistances_slip", &[Stage("slipped")]),
-    ("resistances_inverter", &[Stage("ramped")]),
+    ("resistances_slip", &[Rows(SLIPPED)]),
+    ("resistances_inverter", &[Rows(RAMPED)]),
+    ("resistances_engine", &[Rows(ENGINED)]),
     ("turning_hold", &[Stage("holding")]),
     ("turning_stop", &[Stage("stopping"), Stage("pushed"), Stage("coupled")]),
     ("turning_teeth", &[Stage("pinions")]),
@@ -29,7 +31,7 @@ pub const CURVES: [Line; 3] = [
     ("turning_stop", None, &s::T_STOP),
 ];
 
-pub const EXTREMES: [Greatest; 18] = [
+pub const EXTREMES: [Greatest; 20] = [
     Greatest::new(&s::M_ST_TOP, Most::Greatest, &s::M_ST),
     Greatest::new(&s::P_M_MAX, Most::Greatest, &s::P_M),
     Greatest::new(&s::U_M_MAX, Most::Greatest, &s::U_M),
@@ -39,6 +41,8 @@ pub const EXTREMES: [Greatest; 18] = [
     Greatest::new(&s::A_SLIP_MAX, Most::Greatest, &s::A_SLIP),
     Greatest::new(&s::T_INV_MAX, Most::Greatest, &s::T_INV),
     Greatest::new(&s::A_INV_MAX, Most::Greatest, &s::A_INV),
+    Greatest::new(&s::T_ENG_MAX, Most::Greatest, &s::T_ENG),
+    Greatest::new(&s::A_ENG_MAX, Most::Greatest, &s::A_ENG),
     Greatest::new(&s::U_BS_MAX, Most::Greatest, &s::U_BS),
     Greatest::new(&s::T_STOP_MAX, Most::Greatest, &s::T_STOP),
     Greatest::new(&s::PSI_STOP_MAX, Most::Greatest, &s::PSI_STOP),
@@ -64,7 +68,7 @@ pub const WHOLE: [Whole; 2] = [
 
 pub const SUMMARY: [&Symbol; 2] = [&s::P_SL_RMS, &s::U_SL_RMS];
 
-pub const LIMITS: [Limit; 13] = [
+pub const LIMITS: [Limit; 15] = [
     Limit::within("turning_heating", &s::U_SL_RMS, 1.0),
     Limit::within("turning_overload", &s::U_M_MAX, 1.0),
     Limit::at_most("turning_start", &s::T_START_MAX),
@@ -73,6 +77,8 @@ pub const LIMITS: [Limit; 13] = [
     Limit::at_most("turning_slip_quick", &s::A_SLIP_MAX),
     Limit::at_most("turning_inverter", &s::T_INV_MAX),
     Limit::at_most("turning_inverter_quick", &s::A_INV_MAX),
+    Limit::at_most("turning_engine", &s::T_ENG_MAX),
+    Limit::at_most("turning_engine_quick", &s::A_ENG_MAX),
     Limit::within("turning_hold", &s::U_BS_MAX, 1.0),
     Limit::at_most("turning_stop", &s::T_STOP_MAX),
     Limit::at_most("turning_hard", &s::A_STOP_MAX),

@@ -6,8 +6,9 @@ use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Kind, Values};
 use crate::kernel::symbol::Symbol;
 use crate::parts::motor::{CaseBrake, CaseHold};
-use crate::parts::starts::N_0;
-use crate::parts::starts::scene::{MotorStart, START};
+use crate::parts::starts::scene::{START, read};
+use crate::parts::starts::way::StartWay;
+use crate::parts::starts::{N_0, N_IDLE};
 use crate::supports::drive::given::{GearStage, GivenDrive, RingPinion, TurnedArea, TurningCase, TurningChoice};
 use crate::supports::drive::symbols as s;
 
@@ -48,7 +49,7 @@ pub struct TurningScene {
     pub drive: Option<GivenDrive<f64>>,
     pub gravity: Option<One<f64>>,
     pub rope: Option<One<f64>>,
-    pub start: MotorStart,
+    pub start: Option<StartWay<f64>>,
     /// Of each load case, and of each wind area.
     pub works: Vec<TurningCase<f64>>,
     pub places: Vec<TurnedArea<f64>>,
@@ -130,9 +131,13 @@ impl TurningScene {
 
     /// Ids of what it does not calculate.
     pub fn uncovered(&self) -> Option<&'static str> {
-        let known = self.start.slip.is_some() || self.start.inverter.is_some();
-        self.drive
-            .map(|_| if known { "turning_duty" } else { "turning_starter" })
+        self.drive.map(|_| {
+            if self.start.is_some() {
+                "turning_duty"
+            } else {
+                "turning_starter"
+            }
+        })
     }
 }
 
@@ -163,24 +168,41 @@ fn each(
 }
 
 /// How its motors start, by the speeds of these load cases.
-fn start(table: &Values, cases: &[Values], found: &mut Vec<Diagnostic>) -> MotorStart {
-    let Some((own, rated)) = table.table("start").zip(table.of(&s::N_N)) else {
-        return MotorStart::default();
-    };
-    let read = MotorStart::read(own, rated, found);
+fn start(table: &Values, cases: &[Values], found: &mut Vec<Diagnostic>) -> Option<StartWay<f64>> {
+    let (own, rated) = table.table("start").zip(table.of(&s::N_N))?;
+    let way = read(own, rated, found)?;
     let ratio = table.of(&s::I_SL).or(staged(table)).unwrap_or(0.0);
-    let turns = |case: &Values| case.of(&s::N_S).map(|n| n * ratio);
-    let fastest = (1..)
-        .zip(cases.iter().filter_map(turns))
-        .max_by(|one, other| one.1.total_cmp(&other.1));
-    if let Some((slip, (number, turns))) = read.slip.zip(fastest).filter(|(slip, (_, turns))| *turns >= slip.n_0) {
-        let [turns, full] = [s::N_MOT.written(turns), N_0.written(slip.n_0)];
-        let what =
-            format!("in load case {number} a motor would have to turn at {turns}, which is not below n_0 = {full}");
-        let help = "give a motor that turns faster, or a smaller ratio i_sl";
-        found.push(own.refuse(N_0.id, what, "too slow", help));
+    let turns = |(number, case): (usize, &Values)| case.of(&s::N_S).map(|n| (number, n * ratio));
+    let turning: Vec<(usize, f64)> = (1..).zip(cases).filter_map(turns).collect();
+    let (wrong, key, limit) = match &way {
+        StartWay::SlipStart(slip) => {
+            let fastest = turning.iter().max_by(|one, other| one.1.total_cmp(&other.1));
+            let limit = format!("which is not below n_0 = {}", N_0.written(slip.n_0));
+            (fastest.filter(|(_, turns)| *turns >= slip.n_0), N_0.id, limit)
+        }
+        StartWay::InverterStart(_) => return Some(way),
+        StartWay::EngineStart(engine) => {
+            let mut moving = turning.iter().filter(|(_, turns)| *turns > 0.0);
+            let [idle, most] = [engine.speeds.idle, engine.speeds.most].map(|n| s::N_MOT.written(n));
+            let limit = format!("and an engine runs from n_idle = {idle} to n_gov = {most}");
+            (moving.find(|(_, turns)| !engine.runs(*turns)), N_IDLE.id, limit)
+        }
+    };
+    if let Some((number, turns)) = wrong {
+        let what = format!(
+            "in load case {number} a motor would have to turn at {}, {limit}",
+            s::N_MOT.written(*turns)
+        );
+        let (label, help) = match way {
+            StartWay::EngineStart(_) => (
+                "not so",
+                "give another ratio i_sl or other stages, or another speed of the case",
+            ),
+            _ => ("too slow", "give a motor that turns faster, or a smaller ratio i_sl"),
+        };
+        found.push(own.refuse(key, what, label, help));
     }
-    read
+    Some(way)
 }
 
 /// Turns of a motor for one of the crane, by stages, pinion and ring.

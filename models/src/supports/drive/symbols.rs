@@ -8,7 +8,7 @@ pub use crate::parts::motor::{
     A_START, A_START_MAX, A_STOP, A_STOP_MAX, J_K, J_M, J_START, K_A, K_B, LAMBDA_M, N_MOT, N_N, N_S, OMEGA_B, P_M,
     P_M_MAX, P_N, PSI_B, T_0, T_B, T_START, T_START_MAX, T_STOP, T_STOP_MAX, TAU_B, U_M, U_M_MAX,
 };
-pub use crate::parts::starts::{A_INV, A_SLIP, T_INV, T_SLIP};
+pub use crate::parts::starts::{A_ENG, A_INV, A_SLIP, T_ENG, T_INV, T_SLIP};
 pub use crate::parts::teeth::{ALPHA_T, E_T, K_F, M_T, NU_T, RHO_C, Y_F};
 
 symbols! {
@@ -91,6 +91,8 @@ symbols! {
     A_SLIP_MAX: "a_slip_max" "a_(k,max)" M_PER_S2 / M_PER_S2, "Greatest mean acceleration of the head in such a start.", "derived";
     T_INV_MAX: "t_inv_max" "t_(u,max)" S / S [infinite("where the motor cannot start")], "Longest start on the inverter.", "derived";
     A_INV_MAX: "a_inv_max" "a_(u,max)" M_PER_S2 / M_PER_S2, "Greatest mean acceleration of the head in such a start.", "derived";
+    T_ENG_MAX: "t_eng_max" "t_(e,max)" S / S [infinite("where the motor cannot start")], "Longest start by the clutch and along the engine's torque curve.", "derived";
+    A_ENG_MAX: "a_eng_max" "a_(e,max)" M_PER_S2 / M_PER_S2, "Greatest mean acceleration of the head in such a start.", "derived";
     U_BS_MAX: "u_bs_max" "u_\"b,max\"" ONE / ONE, "Greatest torque that a brake must have over the one that it has.", "derived";
     PSI_STOP_MAX: "psi_stop_max" "psi_\"s,max\"" RAD / DEG [infinite("where the brakes do not stop the drive")], "Greatest angle of a stop.", "derived";
     T_LIM_MAX: "T_lim_max" "T_\"lim\"" N_M / N_M, "Torque at which the coupling must slip.", "derived";
