@@ -110,11 +110,12 @@ fn gear(drive: &mut Node, ratio: f64) {
         pinion.keep("eta_r", staged.is_some());
     }
     let Some(mesh) = staged else { return };
-    let count = drive.draw.rng.usize(1..5);
-    let each = (ratio / mesh).powf(1.0 / count as f64);
-    list(drive, "stages", count, &mut |draw, _| {
-        let efficiency = draw.between(0.5, 1.0);
-        row(draw, &[(&d::I_G, each), (&d::ETA_G, efficiency)])
+    let (count, mut left) = (drive.draw.rng.usize(1..5), ratio / mesh);
+    list(drive, "stages", count, &mut |draw, at| {
+        let (stage, efficiency) = (draw.between(1.5, 6.0), draw.between(0.5, 1.0));
+        let own = if at + 1 == count { left } else { stage };
+        left /= own;
+        row(draw, &[(&d::I_G, own), (&d::ETA_G, efficiency)])
     });
 }
 
