@@ -134,7 +134,7 @@ pub fn start(c: &mut Node) -> bool {
         ("n_0", "slip", 9e5, 1e6),
         ("t_r", "inverter", 0.1, 9.0),
         ("lambda_inv", "inverter", 1.0, 9.0),
-        ("n_idle", "engine", 2e-9, 3e-9),
+        ("n_idle", "engine", 2e-6, 3e-6),
         ("n_gov", "engine", 8e5, 9e5),
     ] {
         start.keep(name, kind == of);
@@ -146,7 +146,7 @@ pub fn start(c: &mut Node) -> bool {
     if kind == "engine" {
         list(&mut start, "curve", 2, &mut |draw, at| {
             let torque = draw.between(1e17, 9e17);
-            row(draw, &[(&N_EN, [1e-9, 1e6][at]), (&T_EN, torque)])
+            row(draw, &[(&N_EN, [1.5e-6, 9.5e5][at]), (&T_EN, torque)])
         });
     }
     kind == "slip"
@@ -156,7 +156,7 @@ pub fn start(c: &mut Node) -> bool {
 fn luffing_start(c: &mut Node) {
     let slips = start(c);
     if let Some(mut motor) = c.child("motor").filter(|_| slips) {
-        for (name, least, most) in [("l_M", 6e-3, 9e-3), ("P_N", 8e14, 9e14), ("n_N", 0.5, 1.0)] {
+        for (name, least, most) in [("l_M", 6e-3, 9e-3), ("P_N", 8e14, 9e14), ("n_N", 5e-4, 1e-3)] {
             let value = motor.draw.between(least, most);
             motor.set(name, value);
         }
