@@ -155,6 +155,13 @@ pub fn start(c: &mut Node) -> bool {
 /// The same of a luffing drive.
 fn luffing_start(c: &mut Node) {
     let slips = start(c);
+    let engine = c
+        .child("start")
+        .is_some_and(|start| start.text("kind") == Some("engine"));
+    if let Some(mut motor) = c.child("motor").filter(|_| engine) {
+        let travel = motor.draw.between(0.1, 0.2);
+        motor.set("l_M", travel);
+    }
     if let Some(mut motor) = c.child("motor").filter(|_| slips) {
         for (name, least, most) in [("l_M", 6e-3, 9e-3), ("P_N", 8e14, 9e14), ("n_N", 5e-4, 1e-3)] {
             let value = motor.draw.between(least, most);
