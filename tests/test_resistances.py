@@ -356,6 +356,30 @@ def test_an_inverter_keeps_its_ramp_as_far_as_its_torque_allows(tmp_path):
     assert seen == {True, False}
 
 
+def test_a_start_of_an_engine_is_that_of_an_integration_in_time(tmp_path):
+    from scipy.integrate import solve_ivp
+
+    curve = [(700.0, 220.0), (1000.0, 300.0), (1460.0, 200.0), (1700.0, 90.0)]
+    points = "".join(f'[[cases.start.curve]]\nn_en = "{n} 1/min"\nT_en = "{torque} N.m"\n' for n, torque in curve)
+    old, new = start("engine", n_idle="800 1/min", n_gov="1700 1/min")
+    scene = scene_of(tmp_path, "portal_004_drive", *FASTER, (old, new.replace("[cases.brake]", points + "[cases.brake]")))
+    found, turns = table(scene), 2 * pi / 60
+    speeds, torques = ([point[k] for point in curve] for k in (0, 1))
+    gives = lambda n: float(np.interp(n, speeds, torques))
+    for degrees, at in found.items():
+        for number, v in ((1, 0.05), (2, 0.06)):
+            goal = v / 0.0031 * 60
+            against, inertia = at[f"T_0[{number}]"], at[f"J_start[{number}]"]
+            time = (inertia - 0.7) * 800.0 * turns / (gives(800.0) - against)
+            inner = [n for n in speeds if 800.0 < n < goal]
+            for low, high in zip((800.0, *inner), (*inner, goal)):
+                reached = lambda t, y: y[0] - high
+                reached.terminal = True
+                run = solve_ivp(lambda t, y: [(gives(y[0]) - against) / inertia / turns], [0, 300], [low], events=reached, rtol=1e-12, atol=1e-9)
+                time += run.t_events[0][0]
+            assert at[f"t_eng[{number}]"] == pytest.approx(time, rel=1e-8), (degrees, number)
+
+
 def test_a_standard_gives_a_part_of_the_wind_at_work_for_the_motors_heating(tmp_path):
     scene = scene_of(tmp_path, "portal_004_drive", ('p_w     = "-75 Pa"            # wind, from the front\n', ""),
                      ("[[cases.case]]\nname    = \"I\"\n", "standard = \"GB/T 3811\"\n\n[[cases.case]]\nname    = \"I\"\n"))

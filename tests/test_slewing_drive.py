@@ -180,3 +180,134 @@ def test_a_motor_that_is_too_slow_for_a_case_is_refused(tmp_path):
     scene = started(tmp_path, "slip", ('n_s   = "0.5 1/min"', 'n_s = "1.6 1/min"'), lambda_bd="2.6", n_0="1000 1/min")
     told = lemnis("check", scene, expect=1)
     assert "in load case 2 a motor would have to turn at 1024 1/min, which is not below n_0 = 1000 1/min" in told
+
+
+STAGES, RING = [(2.8, 0.96), (4.0, 0.97), (4.7, 0.97)], (2.2 / 0.18, 0.94)
+
+
+def test_torque_speed_and_power_go_on_from_shaft_to_shaft(tmp_path):
+    text = SCENE.read_text(encoding="utf-8")
+    stages = "".join(f'[[supports.slewing_drive.stages]]\ni_g = "{i}"\neta_g = "{eta}"\n' for i, eta in STAGES)
+    for old, new in (('i_sl     = "640"\n', ""), ('eta_sl   = "85 %"\n', ""), ("[supports.slewing_drive.brake]", stages + "[supports.slewing_drive.brake]"),
+                     ('r_g     = "2.2 m"\n', f'r_g = "2.2 m"\neta_r = "{RING[1]}"\n')):
+        assert old in text
+        text = text.replace(old, new, 1)
+    (tmp_path / "staged.toml").write_text(text, encoding="utf-8")
+    shafts = range(1, 4)
+    cases = [f"{name}[{case}]" for name in ("M_st", "T_0", "J_start", "J_c", "t_start") for case in (1, 2)]
+    names = ["n_g0", "T_g0", "P_g0", "T_gp0", *(f"{name}[{j}]" for name in ("n_g", "T_g", "P_g", "T_gp") for j in shafts)]
+    found = outputs(tmp_path / "staged.toml", tmp_path, [*names, *cases])
+    ratios, efficiencies = (np.cumprod([1.0, *(stage[k] for stage in STAGES)]) for k in (0, 1))
+    ratio, efficiency = ratios[-1] * RING[0], efficiencies[-1] * RING[1]
+    speed = ratio * 1.5 / 60
+    torque = found["M_st[1]"] / (ratio * DRIVES * efficiency)
+    # What accelerates all but the motor's own inertia, in the mean of a start; in the first case most is asked.
+    push = np.max([found[f"T_0[{c}]"] + found[f"J_c[{c}]"] / (ratio**2 * DRIVES * efficiency) * ratio * 2 * np.pi * n / 60 / found[f"t_start[{c}]"]
+                   for c, n in ((1, 1.5), (2, 0.5))], axis=0)
+    for j in (0, *shafts):
+        at = (lambda name: found[f"{name}0"]) if j == 0 else (lambda name: found[f"{name}[{j}]"])
+        assert at("n_g") == pytest.approx(speed / ratios[j], rel=1e-12)
+        assert at("T_g") == pytest.approx(torque * ratios[j] * efficiencies[j], rel=1e-12)
+        assert at("P_g") == pytest.approx(2 * np.pi * speed * torque * efficiencies[j], rel=1e-12)
+        assert at("T_gp") == pytest.approx(push * ratios[j] * efficiencies[j], rel=1e-11)
+
+
+@pytest.mark.parametrize("language", ["en", "zh", "bg"])
+def test_the_book_has_a_table_of_all_shafts(language, tmp_path):
+    scene = ROOT / "models/scenes/portal_004_ring.toml"
+    lemnis("book", scene, "--language", language, "--format", "typ", "--output", tmp_path)
+    book = typst(next(tmp_path.glob("*.typ")))
+    known = words(language)
+    assert known["section"]["turning_gear"] in book and known["section"]["turning_shafts"] in book
+    assert known["table"]["turning_shafts"] in book
+    assert known["check"]["turning_gear"] in book
+
+
+CURVE = [(400.0, 200.0), (800.0, 290.0), (1200.0, 330.0), (1500.0, 270.0), (1800.0, 120.0)]
+OF_ENGINE = (('i_sl     = "640"', 'i_sl = "1000"'), ('P_N      = "22 kW"', 'P_N = "40 kW"'), ('n_N      = "960 1/min"', 'n_N = "1500 1/min"'))
+
+
+def engined(tmp_path, *replaced, curve=CURVE, **keys):
+    """The scene with an engine that has a curve of torque over speed."""
+    points = "".join(f'[[supports.slewing_drive.start.curve]]\nn_en = "{n} 1/min"\nT_en = "{torque} N.m"\n' for n, torque in curve)
+    brake = ("[supports.slewing_drive.brake]", points + "[supports.slewing_drive.brake]")
+    return started(tmp_path, "engine", *OF_ENGINE, brake, *replaced, **{"n_idle": "450 1/min", "n_gov": "1800 1/min"} | keys)
+
+
+OF_START = [*NAMES, *(f"{name}[{case}]" for case in (1, 2) for name in ("t_cl", "t_eng", "a_eng", "T_e_least")), "T_e_max[1]", "k_e[1]", "T_id[1]"]
+
+
+def test_a_start_of_an_engine_is_that_of_an_integration_in_time(tmp_path):
+    from scipy.integrate import solve_ivp
+
+    found = outputs(engined(tmp_path), tmp_path, OF_START)
+    turns = 2 * np.pi / 60
+    speeds, torques = (np.array([point[k] for point in CURVE]) for k in (0, 1))
+    gives = lambda n: np.interp(n, speeds, torques)
+    assert found["T_e_max[1]"] == pytest.approx(330.0, rel=1e-12)
+    assert found["k_e[1]"] == pytest.approx(330.0 / (40e3 / (1500 * turns)), rel=1e-12)
+    assert found["T_id[1]"] == pytest.approx(gives(450.0), rel=1e-12)
+    for case, goal in ((1, 1500.0), (2, 500.0)):
+        inner = [n for n in speeds if 450.0 < n < goal]
+        assert found[f"T_e_least[{case}]"] == pytest.approx(min(gives(n) for n in (450.0, goal, *inner)), rel=1e-12)
+        for i in range(len(found["psi"])):
+            against, inertia = found[f"T_0[{case}]"][i], found[f"J_start[{case}]"][i]
+            # The engine idles, and its torque there turns all but its own inertia.
+            clutch = (inertia - SHAFT) * 450.0 * turns / (gives(450.0) - against)
+            time = clutch
+            for low, high in zip((450.0, *inner), (*inner, goal)):
+                reached = lambda t, y: y[0] - high
+                reached.terminal = True
+                run = solve_ivp(lambda t, y: [(gives(y[0]) - against) / inertia / turns], [0, 300], [low], events=reached, rtol=1e-12, atol=1e-9)
+                time += run.t_events[0][0]
+            assert found[f"t_cl[{case}]"][i] == pytest.approx(clutch, rel=1e-11)
+            assert found[f"t_eng[{case}]"][i] == pytest.approx(time, rel=1e-8), (case, i)
+            head = found[f"R_o[{case}]"][i] * found[f"Omega_c[{case}]"][i]
+            assert found[f"a_eng[{case}]"][i] == pytest.approx(head / time, rel=1e-8)
+        # What is behind the clutch bears its torque, or what is left of the greatest one on the way.
+        most = max(gives(n) for n in (450.0, goal, *inner))
+        assert found[f"T_p[{case}]"] == pytest.approx(most, rel=1e-12)
+        at = lambda name: found[f"{name}[{case}]"]
+        rate = np.maximum((most - at("T_0")) / at("J_start"), (gives(450.0) - at("T_0")) / (at("J_start") - SHAFT))
+        coupled = np.maximum(at("T_0") + (at("J_start") - SHAFT) * rate, 250.0 - SHAFT * at("alpha_w"))
+        assert at("T_c") == pytest.approx(coupled, rel=1e-11)
+        assert at("F_t") == pytest.approx((at("M_st") + at("J_c") * rate / 1000.0) / (2.2 * DRIVES), rel=1e-11)
+
+
+def test_a_start_of_an_engine_with_a_constant_torque_has_a_closed_form(tmp_path):
+    found = outputs(engined(tmp_path, curve=[(450.0, 300.0), (1000.0, 300.0), (1800.0, 300.0)]), tmp_path, OF_START)
+    for case, goal in ((1, 1500.0), (2, 500.0)):
+        spare, inertia = 300.0 - found[f"T_0[{case}]"], found[f"J_start[{case}]"]
+        wanted = ((inertia - SHAFT) * 450.0 + inertia * (goal - 450.0)) * 2 * np.pi / 60 / spare
+        assert found[f"t_eng[{case}]"] == pytest.approx(wanted, rel=1e-12)
+
+
+def test_a_steep_curve_is_integrated_as_its_logarithm(tmp_path):
+    # From all that it can give to little more than what resists.
+    found = outputs(engined(tmp_path, curve=[(450.0, 9e4), (1500.0, 100.0), (1800.0, 100.0)]), tmp_path, OF_START)
+    spare, inertia = found["T_0[1]"], found["J_start[1]"]
+    first, last = 9e4 - spare, 100.0 - spare
+    assert (last > 0).all() and (first / last).min() > 1000
+    wanted = found["t_cl[1]"] + inertia * 2 * np.pi / 60 * 1050.0 * np.log(first / last) / (first - last)
+    assert found["t_eng[1]"] == pytest.approx(wanted, rel=1e-12)
+
+
+@pytest.mark.parametrize("replaced, curve, keys, told", [
+    ([], [(400.0, 20.0), (1800.0, 25.0)], {}, "the engine gives 25 N.m at most, where T_0 = "),
+    ([], [(400.0, 200.0), (300.0, 250.0), (1800.0, 100.0)], {}, "n_en = 300 1/min after 400 1/min"),
+    ([], [(500.0, 200.0), (1700.0, 250.0)], {}, "the torque curve goes from 500 1/min to 1700 1/min, and the engine runs from 450 1/min to 1800 1/min"),
+    ([], [(400.0, 200.0)], {}, "the torque curve with one point"),
+    ([], CURVE, {"n_gov": "1400 1/min"}, "n_N = 1500 1/min is not between n_idle = 450 1/min and n_gov = 1400 1/min"),
+    ([], CURVE, {"n_idle": "600 1/min"}, "in load case 2 a motor would have to turn at 500 1/min, and an engine runs from n_idle = 600 1/min to n_gov = 1800 1/min"),
+    ([], CURVE, {"t_r": "2 s"}, "t_r belongs to a start of kind \"inverter\""),
+])
+def test_what_no_engine_can_do_is_refused(tmp_path, replaced, curve, keys, told):
+    assert told in lemnis("check", engined(tmp_path, *replaced, curve=curve, **keys), expect=1)
+
+
+@pytest.mark.parametrize("language", ["en", "zh", "bg"])
+def test_the_book_has_the_start_of_the_engine(language, tmp_path):
+    lemnis("book", engined(tmp_path), "--language", language, "--format", "typ", "--output", tmp_path)
+    book = typst(next(tmp_path.glob("*.typ")))
+    assert words(language)["section"]["resistances_engine"] in book
+    assert words(language)["input"]["case_curve"] in book

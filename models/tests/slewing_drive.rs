@@ -266,6 +266,21 @@ fn what_cannot_be_is_told() {
             "",
             "a coupling without a brake",
         ),
+        (
+            "i_sl     = \"640\"\n",
+            "",
+            "`i_sl` is missing in [supports.slewing_drive]",
+        ),
+        (
+            "[supports.slewing_drive.brake]",
+            "[[supports.slewing_drive.stages]]\ni_g = \"52\"\neta_g = \"90 %\"\n[supports.slewing_drive.brake]",
+            "`i_sl` beside [[supports.slewing_drive.stages]], of which it follows",
+        ),
+        (
+            "teeth   = \"outside\"",
+            "teeth = \"outside\"\neta_r = \"95 %\"",
+            "`eta_r` without [[supports.slewing_drive.stages]]",
+        ),
     ] {
         assert!(READY.contains(old), "{old}");
         let found = match (Scene::parse(&READY.replacen(old, new, 1)), told) {
@@ -278,5 +293,120 @@ fn what_cannot_be_is_told() {
             "{told}: {found:?}"
         );
         assert!(found.iter().all(|mistake| mistake.help.is_some()), "{found:?}");
+    }
+}
+
+/// A row of the oracle with stages, pinion and ring in the place of ratio and efficiency, to which they come.
+fn staged(row: &[&str]) -> String {
+    let text = scene_of(row);
+    let value = |name: &str| {
+        let at = text.find(&format!("\n{name} = \"")).expect("there") + name.len() + 5;
+        number(text[at..].split([' ', '"']).next().expect("a number"))
+    };
+    let (ratio, eta, [own, ring]) = (value("i_sl"), value("eta_sl"), [value("r_z"), value("r_g")]);
+    let third = eta.cbrt();
+    let mut staged = String::new();
+    for line in text
+        .lines()
+        .filter(|line| !line.starts_with("i_sl = ") && !line.starts_with("eta_sl = "))
+    {
+        staged += line;
+        staged.push('\n');
+        if line.starts_with("r_g = ") {
+            let _ = writeln!(staged, "eta_r = \"{third:?}\"");
+        }
+    }
+    let of = |i: f64| format!("[[supports.slewing_drive.stages]]\ni_g = \"{i:?}\"\neta_g = \"{third:?}\"\n");
+    staged + &of(3.7) + &of(ratio * own / ring / 3.7)
+}
+
+/// Stages of the same ratio and efficiency give the same results; from shaft to shaft power falls by the losses.
+#[test]
+fn a_gear_of_stages() {
+    for row in rows() {
+        let (mut own, mut staged) = (model(&scene_of(&row)), model(&staged(&row)));
+        for model in [&mut own, &mut staged] {
+            set(model, "psi", number(row[6]));
+        }
+        for name in [
+            "i_sl",
+            "eta_sl",
+            "P_M[1]",
+            "t_start[1]",
+            "T_c[1]",
+            "F_t[1]",
+            "t_stop[1]",
+            "sigma_Hz[2]",
+        ] {
+            let wanted = get(&mut own, name);
+            let found = get(&mut staged, name);
+            assert!(
+                found == wanted || (found - wanted).abs() <= 1e-12 * wanted.abs(),
+                "{name}: {found} {wanted}"
+            );
+        }
+        let mut of = |name: &str| get(&mut staged, name);
+        let close = |found: f64, wanted: f64| near(found, wanted, 1e-12 * wanted.abs());
+        close(of("P_g0"), of("P_M[1]"));
+        close(of("n_g0"), of("n_mot[1]"));
+        let (mut power, mut speed, mut push) = (of("P_g0"), of("n_g0"), of("T_gp0"));
+        for stage in 1..=2 {
+            let [i, eta] = ["i_g", "eta_g"].map(|name| of(&format!("{name}[{stage}]")));
+            (power, speed, push) = (power * eta, speed / i, push * i * eta);
+            close(of(&format!("P_g[{stage}]")), power);
+            close(of(&format!("n_g[{stage}]")), speed);
+            close(of(&format!("T_g[{stage}]")) * TAU * speed, power);
+            close(of(&format!("T_gp[{stage}]")), push);
+        }
+        // All pinions turn the crane.
+        close(power * of("eta_r") * of("z_d"), of("M_st[1]") * TAU * of("n_s[1]"));
+        close(speed * of("r_z") / of("r_g"), of("n_s[1]"));
+        // The tooth's force in the start is that of the shaft, where the first case asks for most.
+        let tooth = |case: u32, of: &mut dyn FnMut(&str) -> f64| of(&format!("F_t[{case}]"));
+        let most = tooth(1, &mut of).max(tooth(2, &mut of));
+        close(of("T_gp[2]") * of("eta_r"), most * of("r_z"));
+    }
+}
+
+/// Exact derivatives by stages and pinion against differences.
+#[test]
+fn derivatives_by_stages() {
+    let mut model = model(&staged(&rows()[4]));
+    set(&mut model, "psi", 0.7);
+    let count = compared(&mut model, &["omega", "s", "z_d"], &[]);
+    assert!(count > 5_000, "{count}");
+}
+
+/// Exact derivatives of an engine's start against differences.
+#[test]
+fn derivatives_of_an_engine() {
+    let points = [(400, 200), (800, 290), (1200, 330), (1450, 270), (1800, 120)];
+    let mut start = String::from(
+        "[supports.slewing_drive.start]\nkind = \"engine\"\nn_idle = \"450 1/min\"\nn_gov = \"1700 1/min\"\n",
+    );
+    for (n, torque) in points {
+        let _ = writeln!(
+            start,
+            "[[supports.slewing_drive.start.curve]]\nn_en = \"{n} 1/min\"\nT_en = \"{torque} N.m\""
+        );
+    }
+    let mut text = READY.to_owned();
+    for (old, new) in [
+        ("i_sl     = \"640\"", "i_sl = \"1000\""),
+        ("P_N      = \"22 kW\"", "P_N = \"40 kW\""),
+        ("n_N      = \"960 1/min\"", "n_N = \"1500 1/min\""),
+        (
+            "[supports.slewing_drive.brake]",
+            &format!("{start}[supports.slewing_drive.brake]"),
+        ),
+    ] {
+        assert!(text.contains(old), "{old}");
+        text = text.replacen(old, new, 1);
+    }
+    let mut model = model(&text);
+    for psi in [0.7, -1.9] {
+        set(&mut model, "psi", psi);
+        let count = compared(&mut model, &["omega", "s", "z_d", "n_s"], &["lifts"]);
+        assert!(count > 5_000, "{count}");
     }
 }

@@ -2,8 +2,10 @@
 //! mechanism.
 
 use lemnis_models::luffing::resistances::scene::CaseParts;
+use lemnis_models::parts::starts::{N_EN, T_EN};
 use toml::Table;
 
+use crate::bodies::{list, row};
 use crate::scene::Node;
 
 /// Greatest angle of a swaying rope and greatest slope, in rad.
@@ -124,28 +126,44 @@ pub fn start(c: &mut Node) -> bool {
     let Some(mut start) = c.child("start") else {
         return false;
     };
-    let slips = start.draw.coin(0.5);
-    start.put("kind", if slips { "slip" } else { "inverter" });
-    for (name, of_slip, least, most) in [
-        ("lambda_bd", true, 1.5, 9.0),
-        ("n_0", true, 9e5, 1e6),
-        ("t_r", false, 0.1, 9.0),
-        ("lambda_inv", false, 1.0, 9.0),
+    let kind = start.draw.pick(&["slip", "inverter", "engine"]);
+    start.put("kind", kind);
+    start.remove(&["curve"]);
+    for (name, of, least, most) in [
+        ("lambda_bd", "slip", 1.5, 9.0),
+        ("n_0", "slip", 9e5, 1e6),
+        ("t_r", "inverter", 0.1, 9.0),
+        ("lambda_inv", "inverter", 1.0, 9.0),
+        ("n_idle", "engine", 2e-6, 3e-6),
+        ("n_gov", "engine", 8e5, 9e5),
     ] {
-        start.keep(name, slips == of_slip);
-        if slips == of_slip {
+        start.keep(name, kind == of);
+        if kind == of {
             let value = start.draw.between(least, most);
             start.set(name, value);
         }
     }
-    slips
+    if kind == "engine" {
+        list(&mut start, "curve", 2, &mut |draw, at| {
+            let torque = draw.between(1e17, 9e17);
+            row(draw, &[(&N_EN, [1.5e-6, 9.5e5][at]), (&T_EN, torque)])
+        });
+    }
+    kind == "slip"
 }
 
 /// The same of a luffing drive.
 fn luffing_start(c: &mut Node) {
     let slips = start(c);
+    let engine = c
+        .child("start")
+        .is_some_and(|start| start.text("kind") == Some("engine"));
+    if let Some(mut motor) = c.child("motor").filter(|_| engine) {
+        let travel = motor.draw.between(0.1, 0.2);
+        motor.set("l_M", travel);
+    }
     if let Some(mut motor) = c.child("motor").filter(|_| slips) {
-        for (name, least, most) in [("l_M", 6e-3, 9e-3), ("P_N", 8e14, 9e14), ("n_N", 0.5, 1.0)] {
+        for (name, least, most) in [("l_M", 6e-3, 9e-3), ("P_N", 8e14, 9e14), ("n_N", 5e-4, 1e-3)] {
             let value = motor.draw.between(least, most);
             motor.set(name, value);
         }

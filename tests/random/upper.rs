@@ -92,7 +92,31 @@ fn turning(n: &mut Node, [size, weight]: [f64; 2]) -> [bool; 2] {
         pinion.set("r_z", own.max(LEAST_LENGTH));
         pinion.set("r_g", ring);
     }
+    gear(&mut drive, ratio);
     [true, braked.is_some()]
+}
+
+/// Stages that come to a ratio with pinion and ring, or the ratio as a whole.
+fn gear(drive: &mut Node, ratio: f64) {
+    let mesh = drive
+        .child("pinion")
+        .map(|pinion| pinion.get("r_g") / pinion.get("r_z"));
+    let staged = mesh.filter(|_| drive.draw.coin(0.5));
+    drive.remove(&["stages"]);
+    for name in ["i_sl", "eta_sl"] {
+        drive.keep(name, staged.is_none());
+    }
+    if let Some(mut pinion) = drive.child("pinion") {
+        pinion.keep("eta_r", staged.is_some());
+    }
+    let Some(mesh) = staged else { return };
+    let (count, mut left) = (drive.draw.rng.usize(1..5), ratio / mesh);
+    list(drive, "stages", count, &mut |draw, at| {
+        let (stage, efficiency) = (draw.between(1.5, 6.0), draw.between(0.5, 1.0));
+        let own = if at + 1 == count { left } else { stage };
+        left /= own;
+        row(draw, &[(&d::I_G, own), (&d::ETA_G, efficiency)])
+    });
 }
 
 /// Upper works that weigh nothing, or next to nothing.

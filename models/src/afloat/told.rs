@@ -7,25 +7,12 @@ use crate::afloat::symbols as s;
 use crate::afloat::weights::Weighed;
 use crate::component::sheet::Table;
 use crate::component::stages::Stages;
-use crate::component::standing::Standing;
-use crate::component::telling::numbered;
 use crate::kernel::calc::Calc;
 use crate::kernel::symbol::{Symbol, listed};
 
 /// Columns of the tables of openings, and of righting levers.
 pub const OPENED: &[&Symbol] = listed!(s: X_O, Y_O, Z_O, F_O, PHI_O, PHI_O0);
 pub const TOLD: &[&Symbol] = listed!(s: PHI_H, GZ, GZ_W, E, E_W);
-
-/// All of what there are several of at a slewing angle (rad); `None` where there is none.
-pub fn all_told(model: &mut Standing, at: f64, columns: &'static [&'static Symbol]) -> Option<Table> {
-    let found: Vec<Vec<f64>> = columns.iter().map(|symbol| numbered(model, symbol, at)).collect();
-    let row = |i: usize| found.iter().map(|column| column[i]).collect();
-    let rows: Vec<_> = (0..found[0].len()).map(row).collect();
-    (!rows.is_empty()).then(|| Table {
-        columns: columns.to_vec(),
-        rows,
-    })
-}
 
 /// Levers over the heel (rad) at a slewing angle: the righting one, its wall-sided form, and that of the moments that heel.
 pub fn levers(given: &Given<f64>, at: f64, heels: impl Iterator<Item = f64>) -> Option<[Vec<[f64; 2]>; 3]> {

@@ -3,7 +3,7 @@
 use crate::component::outline::{Explained, Greatest, Outline};
 use crate::component::probe::slot;
 use crate::component::running::Running;
-use crate::component::sheet::Summary;
+use crate::component::sheet::{Summary, Table};
 use crate::component::standing::Standing;
 use crate::kernel::symbol::Symbol;
 use crate::parts::motion::{Motion, Place};
@@ -33,6 +33,17 @@ pub fn sample(model: &mut Standing, symbols: &[&'static Symbol], places: impl It
 pub fn numbered(model: &mut Standing, symbol: &'static Symbol, at: f64) -> Vec<f64> {
     let indices = indices(model, symbol);
     values(model, &indices, std::iter::once(at)).remove(0)
+}
+
+/// All of what there are several of at a slewing angle (rad); `None` where there is none.
+pub fn all_told(model: &mut Standing, at: f64, columns: &'static [&'static Symbol]) -> Option<Table> {
+    let found: Vec<Vec<f64>> = columns.iter().map(|symbol| numbered(model, symbol, at)).collect();
+    let row = |i: usize| found.iter().map(|column| column[i]).collect();
+    let rows: Vec<_> = (0..found[0].len()).map(row).collect();
+    (!rows.is_empty()).then(|| Table {
+        columns: columns.to_vec(),
+        rows,
+    })
 }
 
 /// Variables at values of the coordinate, by their places.

@@ -1,8 +1,9 @@
 //! A maker's load curve of a slewing ring: the moment that it bears beside a force.
 
-use crate::kernel::calc::{Among, Calc};
+use crate::kernel::calc::Calc;
 use crate::kernel::group::group;
 use crate::kernel::symbol::Symbol;
+use crate::parts::polyline::{named, straight};
 
 /// A load curve: points (force N, moment N·m) with rising force.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -15,27 +16,12 @@ pub fn corner([f, m]: [f64; 2]) -> Vec<[f64; 2]> {
     vec![[0.0, m], [f, m], [f, 0.0], [f, m]]
 }
 
-/// A point of a curve by its number, under the names of its force and its moment.
-fn named<C: Calc>(names: [&'static Symbol; 2], number: u16, point: [f64; 2]) -> [C; 2] {
-    let [f, m] = [0, 1].map(|i| {
-        let value = C::known(names[i], point[i]);
-        value.among(Among::Of(number), value)
-    });
-    [f, m]
-}
-
 impl LoadCurve {
     /// The moment that may act with a force, in N·m, on the straight line between two points, which have numbers after
     /// `before` others; `None` beyond the curve.
     #[must_use]
     pub fn limit<C: Calc>(&self, f: C, before: u16, names: [&'static Symbol; 2]) -> Option<C> {
-        (before + 1..).zip(self.0.windows(2)).find_map(|(number, pair)| {
-            let within = f.value() >= pair[0][0] && f.value() <= pair[1][0] && pair[1][0] > pair[0][0];
-            within.then(|| {
-                let [[f_1, m_1], [f_2, m_2]] = [0, 1].map(|i| named::<C>(names, number + i, pair[usize::from(i)]));
-                m_1 + (m_2 - m_1) * (f - f_1) / (f_2 - f_1)
-            })
-        })
+        straight(&self.0, f, before, names)
     }
 
     /// How many times a force (N, above zero) and a moment (N·m, not negative) may both grow until they meet a curve that

@@ -19,6 +19,7 @@ pub mod load_curve;
 pub mod motion;
 pub mod motor;
 pub mod plane;
+pub mod polyline;
 pub mod safety;
 pub mod shaping;
 pub mod smooth_curve;

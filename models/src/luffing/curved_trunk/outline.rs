@@ -22,7 +22,7 @@ const OWN_USES: [Purpose; 6] = [
 
 pub const OUTLINE: Outline = Outline {
     inputs: chapters!(geometry "", tail, tail_points "tail.points", weights, drive, balance, load "Q", motion, moving "dynamics", luffing_control "control", hoisting, hoisting_control "hoisting.control", air, ground,
-        cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_start "cases.start", case_brake "cases.brake", case_second_brake "cases.second_brake",
+        cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_start "cases.start", case_curve "cases.start.curve", case_brake "cases.brake", case_second_brake "cases.second_brake",
         case_buckling "cases.buckling", case_teeth "cases.teeth", case_nut "cases.nut", case_pin_sizes "cases.pin_size", limits),
     constants: &[
         ("trunk_tail", &[Stage("tail")]),
@@ -129,7 +129,7 @@ pub const OUTLINE: Outline = Outline {
         ],
         LIMITS,
     ),
-    uses: &joined::<Purpose, 6, 2, 8>(OWN_USES, USES),
+    uses: &joined::<Purpose, 6, 3, 9>(OWN_USES, USES),
     forces: &[
         &s::N_T,
         &s::Q_T,

@@ -51,6 +51,7 @@ use crate::luffing::strength::fragments::{strong, strong_parts};
 use crate::luffing::with_balance::with_balance;
 use crate::parts::four_bar::FourBar;
 use crate::parts::plane::Point;
+use crate::parts::starts::way;
 
 /// Quantities at rest and in motion, and of the drive.
 mod s {
@@ -174,6 +175,7 @@ impl Component for CurvedTrunkBoom {
             && given.balance.as_ref().is_none_or(|form| form.has(symbol))
             && line::has(given.mount.as_ref(), given.rod.is_some(), given.gear.as_ref(), symbol)
             && fittings(given).is_none_or(|crane| crane.has(symbol))
+            && way::has(given.starting.as_ref(), symbol)
     }
 }
 

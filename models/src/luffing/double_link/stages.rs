@@ -59,6 +59,7 @@ use crate::parts::four_bar::FourBar;
 use crate::parts::hydraulics::parts::OilParts;
 use crate::parts::motion::{Motion, degrees};
 use crate::parts::plane::Point;
+use crate::parts::starts::way;
 use crate::parts::turntable::Turning;
 
 /// Quantities at rest and in motion.
@@ -201,6 +202,7 @@ impl Component for DoubleLink {
             && (given.choice.pins || !forces.contains(&symbol))
             && given.balance.as_ref().is_none_or(|form| form.has(symbol))
             && fittings(given).is_none_or(|crane| crane.has(symbol))
+            && way::has(given.starting.as_ref(), symbol)
             && (!of_balance.contains(&symbol) || given.balance.is_some())
             && line::has(given.mount.as_ref(), given.rod.is_some(), given.gear.as_ref(), symbol)
             && (symbol != &b::F_D_0 || given.mount.is_some())

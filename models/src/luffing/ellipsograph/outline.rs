@@ -21,7 +21,7 @@ const OWN_USES: [Purpose; 5] = [
 
 pub const OUTLINE: Outline = Outline {
     inputs: chapters!(geometry "", weights, drive, balance, load "Q", motion, moving "dynamics", luffing_control "control", hoisting, hoisting_control "hoisting.control", air, ground,
-        cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_start "cases.start", case_brake "cases.brake", case_second_brake "cases.second_brake",
+        cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_start "cases.start", case_curve "cases.start.curve", case_brake "cases.brake", case_second_brake "cases.second_brake",
         case_buckling "cases.buckling", case_teeth "cases.teeth", case_nut "cases.nut", case_pin_sizes "cases.pin_size", limits),
     constants: &[
         ("ellipsograph_axes", &[Stage("axes")]),
@@ -118,7 +118,7 @@ pub const OUTLINE: Outline = Outline {
         ],
         LIMITS,
     ),
-    uses: &joined::<Purpose, 5, 2, 7>(OWN_USES, USES),
+    uses: &joined::<Purpose, 5, 3, 8>(OWN_USES, USES),
     forces: &[
         &s::F_BX,
         &s::F_CX,

@@ -9,9 +9,11 @@ use crate::kernel::schema::Values;
 use crate::kernel::symbol::Symbol;
 use crate::luffing::resistances::scene::Cases;
 use crate::luffing::resistances::symbols as s;
+use crate::parts::starts::way::StartWay;
 
 const STRONGER: &str = "give a stronger motor, or a smaller travel l_M of the drive for one turn";
 const FASTER: &str = "give a motor that turns faster, or a greater travel l_M of the drive for one turn";
+const OTHER: &str = "give another travel l_M of the drive for one turn, or another speed of the case";
 const BRAKES: &str = "give stronger brakes, or a smaller travel l_M of the drive for one turn";
 
 /// A result of a case (from 0) at a place.
@@ -93,14 +95,12 @@ impl Looking<'_> {
         if let Some(found) = self.never(&s::T_SLIP) {
             let [slip, least] = [&s::S_F, &s::T_LEAST].map(|symbol| self.there(symbol, &found).unwrap_or(0.0));
             if slip <= 0.0 {
-                let turns = self.there(&s::N_MOT, &found).unwrap_or(0.0).abs();
-                let what = format!(
-                    "{} the motor would have to turn at {}, which is not below n_0 = {}",
-                    self.said(&found),
-                    s::N_MOT.written(turns),
-                    s::N_0.written(self.cases.start.slip.map_or(0.0, |slip| slip.n_0))
-                );
-                return Some(("start", what, ["too slow", FASTER]));
+                let full = match &self.cases.start {
+                    Some(StartWay::SlipStart(slip)) => slip.n_0,
+                    _ => 0.0,
+                };
+                let limit = format!("which is not below n_0 = {}", s::N_0.written(full));
+                return Some(("start", self.turns(&found, &limit), ["too slow", FASTER]));
             }
             let stalled = self.there(&s::T_BD, &found).zip(self.there(&s::S_K, &found));
             let ends = stalled.map(|(breakdown, at)| breakdown * 2.0 / (at + 1.0 / at));
@@ -112,9 +112,39 @@ impl Looking<'_> {
             let gives = format!("at slip {} it gives", s::S_F.written(weakest));
             return Some(("start", self.resists(&found, &gives, least), WEAK));
         }
-        let found = self.never(&s::T_INV)?;
-        let limit = self.there(&s::T_U, &found).unwrap_or(0.0);
-        Some(("start", self.resists(&found, "the inverter lets it give", limit), WEAK))
+        if let Some(found) = self.never(&s::T_INV) {
+            let limit = self.there(&s::T_U, &found).unwrap_or(0.0);
+            return Some(("start", self.resists(&found, "the inverter lets it give", limit), WEAK));
+        }
+        self.runs(WEAK)
+    }
+
+    /// The same of an engine, which runs at some speeds alone; what is said of one that is too weak.
+    fn runs(&self, weak: [&'static str; 2]) -> Option<(&'static str, String, [&'static str; 2])> {
+        let Some(StartWay::EngineStart(engine)) = &self.cases.start else {
+            return None;
+        };
+        let found = self.never(&s::T_ENG)?;
+        if !engine.runs(self.there(&s::N_MOT, &found).unwrap_or(0.0).abs()) {
+            let [idle, most] = [engine.speeds.idle, engine.speeds.most].map(|n| s::N_MOT.written(n));
+            let limit = format!("and it runs from n_idle = {idle} to n_gov = {most}");
+            return Some(("start", self.turns(&found, &limit), ["not so", OTHER]));
+        }
+        let gives = format!(
+            "an engine of {} at most gives on its way",
+            s::T_0.written(engine.most(engine.speeds.most))
+        );
+        let least = self.there(&s::T_E_LEAST, &found).unwrap_or(0.0);
+        Some(("start", self.resists(&found, &gives, least), weak))
+    }
+
+    fn turns(&self, found: &Found, limit: &str) -> String {
+        let turns = self.there(&s::N_MOT, found).unwrap_or(0.0).abs();
+        format!(
+            "{} the motor would have to turn at {}, {limit}",
+            self.said(found),
+            s::N_MOT.written(turns)
+        )
     }
 
     fn resists(&self, found: &Found, gives: &str, torque: f64) -> String {

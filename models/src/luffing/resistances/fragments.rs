@@ -9,8 +9,7 @@ macro_rules! cases {
             Parameter rubbing: Vec<$crate::luffing::resistances::given::CasePin<C>>,
             Parameter air: Option<One<C>>,
             Parameter driver: Option<$crate::luffing::resistances::given::CaseMotor<C>>,
-            Parameter slip: Option<$crate::parts::starts::SlipStart<C>>,
-            Parameter inverter: Option<$crate::parts::starts::InverterStart<C>>,
+            Parameter starting: Option<$crate::parts::starts::way::StartWay<C>>,
             Parameter brake: Option<$crate::luffing::resistances::given::CaseBrake<C>>,
             Parameter second: Option<$crate::luffing::resistances::given::SecondBrake<C>>,
             Parameter holds: Vec<$crate::luffing::resistances::given::CaseHold<C>>,
@@ -59,10 +58,8 @@ macro_rules! resisted {
                 $crate::luffing::resistances::brakes::Holding::new(driver[!], brake[!], second, sums, holds[each], resisted[each]);
             stopped[each holds]: Vec<$crate::luffing::resistances::brakes::Stopped<C>> =
                 $crate::luffing::resistances::brakes::Stopped::new(driver[!], brake[!], second, sums, cases[each], motored[each]);
-            slipped[each cases]: Vec<$crate::parts::starts::slip::Slipped<C>> =
-                $crate::luffing::resistances::starts::slipped(driver[!], slip[!], sums, cases[each], motored[each]);
-            ramped[each cases]: Vec<$crate::parts::starts::inverter::Ramped<C>> =
-                $crate::luffing::resistances::starts::ramped(driver[!], inverter[!], sums, cases[each], motored[each]);
+            started[each cases]: Vec<$crate::parts::starts::way::Started<C>> =
+                $crate::luffing::resistances::starts::started(driver[!], starting[!], sums, cases[each], motored[each]);
         } $($to)* }
     };
 }

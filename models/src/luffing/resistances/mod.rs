@@ -16,7 +16,7 @@
 //! | `resistances.loads` | [`loads::Loads::new`] | Newton and Euler |
 //! | `resistances.friction` | [`friction::Rubbed::new`] | by virtual work, pins by equilibrium |
 //! | `resistances.motor` | [`motor::Motored::new`] | Ports001, 5.6 |
-//! | `resistances.starts` | [`starts::slipped`], [`starts::ramped`] | Ports001, 5.6 |
+//! | `resistances.starts` | [`starts::started`] | Ports001, 5.6 |
 //! | `resistances.brakes` | [`brakes::Holding::new`], [`brakes::Stopped::new`] | Ports001, 5.7 |
 
 mod able;

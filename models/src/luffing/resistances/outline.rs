@@ -1,6 +1,6 @@
 //! What the book tells of the cases.
 
-use crate::component::outline::Explained::Stage;
+use crate::component::outline::Explained::{Rows, Stage};
 use crate::component::outline::{Greatest, Limit, Line, Most, Purpose, joined};
 use crate::component::whole::{How, Whole};
 use crate::drive::symbols::H_D;
@@ -8,12 +8,14 @@ use crate::kernel::symbol::{Symbol, listed};
 use crate::luffing::resistances::symbols as s;
 use crate::luffing::strength::outline as strength;
 use crate::luffing::strength::outline::WorkedOutline;
+use crate::parts::starts::engine;
+use crate::parts::starts::way::{ENGINED, RAMPED, SLIPPED};
 
 /// What formulas of motor and brakes take from places and bodies, and what from the moments of the case.
 pub const MOVED: &[&Symbol] = listed!(s: DS_S, DX_H, J_R);
 const RESISTED: &[&Symbol] = listed!(s: DS_S, DX_H, J_R, M_R_INERTIA, M_R_FRICTION, M_R_SUM, F_R);
-/// The same with the integral of a start along the slip curve.
-const STARTED: &[&Symbol] = listed!(s: DS_S, DX_H, J_R, M_R_INERTIA, M_R_FRICTION, M_R_SUM, F_R, I_S);
+/// The same with the integrals of a start along the slip curve or an engine's.
+const STARTED: &[&Symbol] = listed!(s: DS_S, DX_H, J_R, M_R_INERTIA, M_R_FRICTION, M_R_SUM, F_R, I_S, I_E);
 
 /// What is worked out, each for the case and at the place in which a result is greatest by amount: id of the words, that
 /// result, the formulas, and what they take from elsewhere; the first of them takes all of the bodies.
@@ -35,8 +37,9 @@ const OWN_WORKED: [WorkedOutline; 4] = [
         &s::P_M,
         &[
             ("resistances_motor", &[Stage("motored")]),
-            ("resistances_slip", &[Stage("slipped")]),
-            ("resistances_inverter", &[Stage("ramped")]),
+            ("resistances_slip", &[Rows(SLIPPED)]),
+            ("resistances_inverter", &[Rows(RAMPED)]),
+            ("resistances_engine", &[Rows(ENGINED)]),
         ],
         STARTED,
     ),
@@ -110,7 +113,7 @@ pub const COLUMNS: &[&Symbol] = listed!(s:
 
 /// Of motor and brakes.
 pub const SHAFT_COLUMNS: &[&Symbol] = listed!(s:
-    T_M, P_M, U_M, T_0, T_START, A_START, T_SLIP, A_SLIP, T_INV, A_INV, T_H, T_K, T_STOP, S_STOP, A_STOP
+    T_M, P_M, U_M, T_0, T_START, A_START, T_SLIP, A_SLIP, T_INV, A_INV, T_ENG, A_ENG, T_H, T_K, T_STOP, S_STOP, A_STOP
 );
 
 /// With those of strength.
@@ -132,7 +135,8 @@ const OWN_CURVES: [Line; 12] = [
 ];
 
 /// What given quantities are for that no formula has.
-pub const USES: [Purpose; 2] = [
+pub const USES: [Purpose; 3] = [
     ("case_bodies", listed!(s: J_S, A_W, C_W, S_W, CHI_W)),
     ("case_pins", listed!(s: MU_P, R_P)),
+    engine::USE,
 ];

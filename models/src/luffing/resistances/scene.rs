@@ -15,7 +15,8 @@ use crate::luffing::resistances::placed::BARS;
 use crate::luffing::resistances::symbols as s;
 use crate::luffing::resistances::train::{BRAKE, MOTOR, SECOND, Train, named};
 use crate::luffing::strength::scene::{BUCKLING, NUT, PIN_SIZE, ROPE, Sizes, TEETH};
-use crate::parts::starts::scene::{MotorStart, START};
+use crate::parts::starts::scene::START;
+use crate::parts::starts::way::StartWay;
 
 /// The table `[cases]`, also beside the mechanism.
 pub const CASES: Key = Key::part(
@@ -71,7 +72,7 @@ pub struct Cases {
     pub pins: Vec<CasePin<f64>>,
     pub air: Option<One<f64>>,
     pub motor: Option<CaseMotor<f64>>,
-    pub start: MotorStart,
+    pub start: Option<StartWay<f64>>,
     pub brake: Option<CaseBrake<f64>>,
     pub second: Option<SecondBrake<f64>>,
     /// Of each case, where there are brakes.

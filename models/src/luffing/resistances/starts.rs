@@ -2,31 +2,35 @@
 //!
 //! What the case asks for is that of the place where the start begins, as with a mean torque.
 
-use crate::component::stages::results;
+use crate::component::stages::{absent, results};
 use crate::kernel::calc::Calc;
 use crate::luffing::resistances::given::{Case, CaseMotor};
 use crate::luffing::resistances::motor::Motored;
 use crate::luffing::resistances::sums::Sums;
-use crate::parts::starts::inverter::Ramped;
-use crate::parts::starts::slip::Slipped;
-use crate::parts::starts::{self as s, InverterStart, RatedPoint, SlipStart, Starting};
+use crate::parts::starts::way::{StartWay, Started};
+use crate::parts::starts::{self as s, RatedPoint, Starting};
 
 // Of slewing motors too, which stand above.
-results! { each Slipped as m => {
-    S_K: m.at;
-    T_BD: m.breakdown;
-    S_F: m.slip;
-    T_LEAST: m.least;
-    I_S: m.spared;
-    T_SLIP: m.time;
-    A_SLIP: m.quickens;
-} }
-
-results! { each Ramped as m => {
-    T_U: m.limit;
-    T_RAMP: m.asked;
-    T_INV: m.time;
-    A_INV: m.quickens;
+results! { each Started as m => {
+    S_K: m.slipped().ok_or_else(absent)?.at;
+    T_BD: m.slipped().ok_or_else(absent)?.breakdown;
+    S_F: m.slipped().ok_or_else(absent)?.slip;
+    T_LEAST: m.slipped().ok_or_else(absent)?.least;
+    I_S: m.slipped().ok_or_else(absent)?.spared;
+    T_SLIP: m.slipped().ok_or_else(absent)?.time;
+    A_SLIP: m.slipped().ok_or_else(absent)?.quickens;
+    T_U: m.ramped().ok_or_else(absent)?.limit;
+    T_RAMP: m.ramped().ok_or_else(absent)?.asked;
+    T_INV: m.ramped().ok_or_else(absent)?.time;
+    A_INV: m.ramped().ok_or_else(absent)?.quickens;
+    T_E_MAX: m.engined().ok_or_else(absent)?.peak;
+    K_E: m.engined().ok_or_else(absent)?.reserve;
+    T_ID: m.engined().ok_or_else(absent)?.idle;
+    T_E_LEAST: m.engined().ok_or_else(absent)?.least;
+    T_CL: m.engined().ok_or_else(absent)?.clutch;
+    I_E: m.engined().ok_or_else(absent)?.spared;
+    T_ENG: m.engined().ok_or_else(absent)?.time;
+    A_ENG: m.engined().ok_or_else(absent)?.quickens;
 } }
 
 impl<C: Calc> CaseMotor<C> {
@@ -39,34 +43,24 @@ impl<C: Calc> CaseMotor<C> {
 }
 
 /// To the speed of the case.
-fn starting<C: Calc>(sums: &Sums<C>, case: &Case<C>, motored: &Motored<C>) -> Starting<C> {
+fn starting<C: Calc>(motor: &CaseMotor<C>, sums: &Sums<C>, case: &Case<C>, motored: &Motored<C>) -> Starting<C> {
     Starting {
         moves: case.v.value() != 0.0,
         n: motored.n,
         against: motored.against,
         inertia: motored.inertia,
+        own: motor.j,
         head: (sums.head.x * case.v / sums.way[0]).abs(),
     }
 }
 
-/// Along the motor's slip curve. [Ports001, 5.6]
-pub fn slipped<C: Calc>(
+/// In the way that the scene names. [Ports001, 5.6]
+pub fn started<C: Calc>(
     motor: &CaseMotor<C>,
-    start: &SlipStart<C>,
+    way: &StartWay<C>,
     sums: &Sums<C>,
     case: &Case<C>,
     motored: &Motored<C>,
-) -> Slipped<C> {
-    Slipped::new(&motor.point(), start, &starting(sums, case, motored))
-}
-
-/// On an inverter. [Ports001, 5.6]
-pub fn ramped<C: Calc>(
-    motor: &CaseMotor<C>,
-    start: &InverterStart<C>,
-    sums: &Sums<C>,
-    case: &Case<C>,
-    motored: &Motored<C>,
-) -> Ramped<C> {
-    Ramped::new(&motor.point(), start, &starting(sums, case, motored))
+) -> Started<C> {
+    Started::new(&motor.point(), way, &starting(motor, sums, case, motored))
 }

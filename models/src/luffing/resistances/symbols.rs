@@ -9,7 +9,9 @@ pub use crate::parts::motor::{
     A_START, A_START_MAX, A_STOP, A_STOP_MAX, J_K, J_M, J_START, K_A, K_B, LAMBDA_M, N_MOT, N_N, N_S, OMEGA_B, P_M,
     P_M_MAX, P_N, PSI_B, T_0, T_B, T_START, T_START_MAX, T_STOP, T_STOP_MAX, TAU_B, U_M, U_M_MAX,
 };
-pub use crate::parts::starts::{A_INV, A_SLIP, I_S, N_0, S_F, S_K, T_BD, T_INV, T_LEAST, T_SLIP, T_U};
+pub use crate::parts::starts::{
+    A_ENG, A_INV, A_SLIP, I_E, I_S, N_0, S_F, S_K, T_BD, T_E_LEAST, T_E_MAX, T_ENG, T_INV, T_LEAST, T_SLIP, T_U,
+};
 
 symbols! {
     // Given: of each case.

@@ -6,7 +6,8 @@ use crate::kernel::schema::{Key, Kind, Values};
 use crate::kernel::text::Text;
 use crate::luffing::resistances::given::{CaseBrake, CaseHold, CaseMotor, SecondBrake};
 use crate::luffing::resistances::symbols as s;
-use crate::parts::starts::scene::MotorStart;
+use crate::parts::starts::scene::read;
+use crate::parts::starts::way::StartWay;
 
 /// Beside the cases.
 pub const MOTOR: Key = Key::part("motor", MOTOR_KEYS, "The motor that works the drive.");
@@ -26,7 +27,7 @@ const SECOND_KEYS: &[Key] = keys! { s: T_B2 > 0, TAU_B2 >= 0 };
 #[derive(Default)]
 pub struct Train {
     pub motor: Option<CaseMotor<f64>>,
-    pub start: MotorStart,
+    pub start: Option<StartWay<f64>>,
     pub brake: Option<CaseBrake<f64>>,
     pub second: Option<SecondBrake<f64>>,
     pub holds: Vec<CaseHold<f64>>,
@@ -97,7 +98,7 @@ impl Train {
 
     fn take_start(&mut self, table: &Values, start: &Values, found: &mut Vec<Diagnostic>) {
         if let Some(motor) = &self.motor {
-            self.start = MotorStart::read(start, motor.n_n, found);
+            self.start = read(start, motor.n_n, found);
         } else if table.table("motor").is_none() {
             let help = "add [cases.motor]: it is this that starts";
             found.push(table.refuse("start", "a start without a motor", "of no motor", help));

@@ -19,7 +19,7 @@ const OWN_USES: [Purpose; 4] = [
 
 pub const OUTLINE: Outline = Outline {
     inputs: chapters!(geometry "", tackle, hoist_rope, weights, balance, load "Q", motion, moving "dynamics", luffing_control "control", hoisting, air, ground,
-        cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_start "cases.start", case_brake "cases.brake", case_second_brake "cases.second_brake",
+        cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_start "cases.start", case_curve "cases.start.curve", case_brake "cases.brake", case_second_brake "cases.second_brake",
         case_rope "cases.rope", case_pin_sizes "cases.pin_size", limits),
     constants: &[
         ("rope_constants", &[Stage("level")]),
@@ -81,7 +81,7 @@ pub const OUTLINE: Outline = Outline {
         ],
         LIMITS,
     ),
-    uses: &joined::<Purpose, 4, 2, 6>(OWN_USES, USES),
+    uses: &joined::<Purpose, 4, 3, 7>(OWN_USES, USES),
     forces: listed!(s: F_O1X, F_O1Y, N_B, T, T_UP, S_L_UP, S_H_UP, M_D),
     worst: &[("greatest_pull", &s::T_MAX)],
 };

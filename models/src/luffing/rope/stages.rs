@@ -40,6 +40,7 @@ use crate::luffing::rope::velocity::{RopeTravel, Speeds};
 use crate::luffing::strength::given::Wire;
 use crate::luffing::strength::pull::{RopeRatios, Tensed};
 use crate::luffing::with_balance::with_balance;
+use crate::parts::starts::way;
 
 /// Quantities at rest and in motion.
 mod s {
@@ -158,6 +159,7 @@ impl Component for RopeBoom {
             && symbol != &b::F_D_0
             && given.balance.as_ref().is_none_or(|form| form.has(symbol))
             && fittings(given).is_none_or(|crane| crane.has(symbol))
+            && way::has(given.starting.as_ref(), symbol)
     }
 }
 

@@ -1,13 +1,17 @@
-//! Starts of a motor from rest to the speed of a case: along its own curve of torque over slip, or on an inverter.
+//! Starts of a motor from rest to the speed of a case: along its own curve of torque over slip, on an inverter, or of an engine
+//! by a clutch and along its curve of torque over speed.
 //!
 //! | id | function | source |
 //! |---|---|---|
 //! | `starts.slip` | [`slip::Slipped::new`] | Kloss, by integration |
 //! | `starts.inverter` | [`inverter::Ramped::new`] | equilibrium |
+//! | `starts.engine` | [`engine::Engined::new`] | equilibrium, by integration |
 
+pub mod engine;
 pub mod inverter;
 pub mod scene;
 pub mod slip;
+pub mod way;
 
 use crate::kernel::group::quantities;
 use crate::kernel::symbol::{Range, symbols};
@@ -29,6 +33,18 @@ symbols! {
     T_RAMP: "T_ramp" "T_(r i)" N_M / N_M, "Torque that the ramp of the inverter asks for from this position.", "[Ports001, 5.6]";
     T_INV: "t_inv" "t_(u i)" S / S [infinite("where the motor cannot start")], "Time of a start from this position on the inverter: that of its ramp, or longer where its limit is reached.", "[Ports001, 5.6]";
     A_INV: "a_inv" "a_(u i)" M_PER_S2 / M_PER_S2, "Mean horizontal acceleration of the head in such a start.", "[Ports001, 5.6]";
+    N_EN: "n_en" "n_(e i)" PER_S / PER_MIN [positive], "Speed at a point of the engine's torque curve.", "[Ports001, 6.5.3]";
+    T_EN: "T_en" "T_(e i)" N_M / N_M [positive], "Torque at a point of the engine's torque curve.", "[Ports001, 6.5.3]";
+    N_IDLE: "n_idle" "n_\"id\"" PER_S / PER_MIN [positive], "Speed of the engine at idle, at which the clutch slips until it holds.", "[Ports001, 6.5.3]";
+    N_GOV: "n_gov" "n_\"gov\"" PER_S / PER_MIN [positive], "Greatest speed to which the governor lets the engine run.", "[Ports001, 6.5.3]";
+    T_E_MAX: "T_e_max" "T_\"e,max\"" N_M / N_M, "Greatest torque of the engine between idle and governed speed.", "[Ports001, 6.5.3]";
+    K_E: "k_e" "k_\"e\"" ONE / ONE, "Torque reserve of the engine: this torque over the rated one.", "[Ports001, 6.5.3]";
+    T_ID: "T_id" "T_\"id\"" N_M / N_M, "Torque of the engine at idle, which the slipping clutch passes on.", "[Ports001, 6.5.3]";
+    T_E_LEAST: "T_e_least" "T_(\"e,min\" i)" N_M / N_M, "Least torque of the engine on the way from idle to the speed of the case.", "[Ports001, 6.5.3]";
+    T_CL: "t_cl" "t_(c i)" S / S [infinite("where the motor cannot start")], "Time in which the clutch slips in a start from this position.", "equilibrium";
+    I_E: "I_e" "I_(e i)" ONE / ONE [infinite("where the motor cannot start")], "Integral over the speed in parts of that at idle, from there to that of the case, of the engine's greatest torque over what its torque has to spare.", "equilibrium";
+    T_ENG: "t_eng" "t_(e i)" S / S [infinite("where the motor cannot start")], "Time of a start from this position by the clutch and along the engine's torque curve.", "[Ports001, 6.5.3]";
+    A_ENG: "a_eng" "a_(e i)" M_PER_S2 / M_PER_S2, "Mean horizontal acceleration of the head in such a start.", "[Ports001, 6.5.3]";
 }
 
 quantities! {
@@ -49,7 +65,7 @@ pub struct RatedPoint<C> {
 }
 
 /// What a start leads to, and what it must overcome, at the motor's shaft: speed (1/s, either sign), torque against steady motion
-/// (N·m), inertia (kg·m²), and the horizontal speed of the head (m/s, not negative) in the end. Where the case does not `move`
+/// (N·m), inertia (kg·m²), of which the motor's shaft has its own, and the horizontal speed of the head (m/s, not negative) in the end. Where the case does not `move`
 /// there is no start.
 #[derive(Clone, Copy, Debug)]
 pub struct Starting<C> {
@@ -57,5 +73,6 @@ pub struct Starting<C> {
     pub n: C,
     pub against: C,
     pub inertia: C,
+    pub own: C,
     pub head: C,
 }

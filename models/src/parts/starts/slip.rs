@@ -14,7 +14,7 @@ use crate::kernel::calc::Calc;
 use crate::parts::starts::{self as s, RatedPoint, SlipStart, Starting};
 
 /// Gauss's rule of ten points: nodes and weights on one side of the middle.
-const RULE: [[f64; 2]; 5] = [
+pub(super) const RULE: [[f64; 2]; 5] = [
     [0.148_874_338_981_631_2, 0.295_524_224_714_752_9],
     [0.433_395_394_129_247_2, 0.269_266_719_309_996_4],
     [0.679_409_568_299_024_4, 0.219_086_362_515_982],

@@ -6,7 +6,7 @@ use crate::kernel::group::quantities;
 use crate::supports::column::bearings::ColumnForces;
 use crate::supports::column::pressure::Bearings;
 use crate::supports::column::symbols as s;
-use crate::supports::drive::given::TurningDrive;
+use crate::supports::drive::given::GivenDrive;
 use crate::supports::drive::symbols::M_FS;
 use crate::supports::upper::load::SupportLoad;
 
@@ -59,6 +59,6 @@ impl<C: Calc> ColumnTurning<C> {
 }
 
 /// What the drive overcomes of them, in N·m.
-pub fn rubbing<C: Calc>(_: &TurningDrive<C>, turning: &ColumnTurning<C>) -> C {
+pub fn rubbing<C: Calc>(_: &GivenDrive<C>, turning: &ColumnTurning<C>) -> C {
     turning.sum.def(&M_FS)
 }

@@ -5,6 +5,7 @@ use crate::component::outline::{Greatest, Limit, Line, Most, Outline, SectionOut
 use crate::kernel::symbol::listed;
 use crate::luffing::aboard::{OMEGA_1, THETA_1, THETA_A, THETA_E};
 use crate::luffing::kinds::GIVEN;
+use crate::parts::starts::engine;
 use crate::supports::column::symbols as s;
 use crate::supports::drive::outline as drive;
 use crate::supports::drive::symbols as d;
@@ -16,7 +17,7 @@ pub const OUTLINE: Outline = Outline {
         carried_luffing "luffing", carried_weights "luffing.weights", carried_balance "luffing.balance", carried_inertias "luffing.dynamics", carried_range "luffing.motion",
         upper_slope "slope", upper_areas "areas",
         upper_cases "load_cases", column_bearings "bearings", column_friction "friction",
-        column_counterweight "counterweight", turning_drive "slewing_drive", case_start "slewing_drive.start", turning_brake "slewing_drive.brake", turning_coupling "slewing_drive.coupling", turning_pinion "slewing_drive.pinion",
+        column_counterweight "counterweight", turning_drive "slewing_drive", turning_stages "slewing_drive.stages", case_start "slewing_drive.start", case_curve "slewing_drive.start.curve", turning_brake "slewing_drive.brake", turning_coupling "slewing_drive.coupling", turning_pinion "slewing_drive.pinion",
         motion, limits
     ),
     constants: &CONSTANTS,
@@ -34,12 +35,13 @@ pub const OUTLINE: Outline = Outline {
         ("carried_bars", GIVEN),
         ("upper_cases", listed!(u: K_Q, P_W, CHI_W)),
         ("upper_cases", listed!(d: N_S, ALPHA_Q, K_B)),
+        engine::USE,
     ],
     forces: listed!(s: V, H, M, H_U, H_F),
     worst: &[("greatest_bearing_force", &s::H_U_TOP)],
 };
 
-const CONSTANTS: [SectionOutline; 6] = joined(OWN_CONSTANTS, drive::CONSTANTS);
+const CONSTANTS: [SectionOutline; 7] = joined(OWN_CONSTANTS, drive::CONSTANTS);
 
 const OWN_CONSTANTS: [SectionOutline; 4] = [
     ("carried_luffing", &[Stage("luffed"), Stage("spun")]),
@@ -48,7 +50,7 @@ const OWN_CONSTANTS: [SectionOutline; 4] = [
     ("column_pivot", &[Stage("pivot")]),
 ];
 
-const SECTIONS: [SectionOutline; 12] = joined(OWN_SECTIONS, drive::SECTIONS);
+const SECTIONS: [SectionOutline; 13] = joined(OWN_SECTIONS, drive::SECTIONS);
 
 const OWN_SECTIONS: [SectionOutline; 4] = [
     ("upper_loads", &[Stage("loads")]),
@@ -66,7 +68,7 @@ const OWN_CURVES: [Line; 4] = [
     ("column_foot", None, &s::H_F),
 ];
 
-const EXTREMES: [Greatest; 26] = joined(OWN_EXTREMES, drive::EXTREMES);
+const EXTREMES: [Greatest; 29] = joined(OWN_EXTREMES, drive::EXTREMES);
 
 const OWN_EXTREMES: [Greatest; 9] = [
     Greatest::new(&s::V_TOP, Most::Greatest, &s::V),
@@ -80,7 +82,7 @@ const OWN_EXTREMES: [Greatest; 9] = [
     Greatest::new(&s::M_FB_MAX, Most::Greatest, &s::M_FB),
 ];
 
-const LIMITS: [Limit; 18] = joined(OWN_LIMITS, drive::LIMITS);
+const LIMITS: [Limit; 20] = joined(OWN_LIMITS, drive::LIMITS);
 
 const OWN_LIMITS: [Limit; 5] = [
     Limit::at_most("column_upper", &s::H_U_TOP),

@@ -25,8 +25,10 @@ use crate::supports::column::pressure::Bearings;
 use crate::supports::column::stages::{Given, SlewingColumn};
 use crate::supports::column::symbols as s;
 use crate::supports::drive;
-use crate::supports::drive::checks::{StandingThere, about_the_axis};
+use crate::supports::drive::able::able;
+use crate::supports::drive::checks::{StandingThere, about_the_axis, through_the_gear};
 use crate::supports::drive::scene::{DRIVE, TurningScene};
+use crate::supports::drive::told::shafts;
 use crate::supports::plan::{LeftOpen, each};
 use crate::supports::upper;
 use crate::supports::upper::keys::{self, AREAS, LOAD_CASES, MOTION, SLOPE, UPPER};
@@ -48,7 +50,7 @@ pub const KEYS: &[Key] = keys! { s:
 static BEARINGS: &[Key] = keys! { s: D_U > 0, B_U > 0, D_F > 0, B_F > 0, D_P > 0, D_I >= 0 [usually(0.0)] };
 static FRICTION: &[Key] = keys! { s: MU_U >= 0, MU_F >= 0, MU_P >= 0 };
 static COUNTERWEIGHT: &[Key] = keys! { s: R_D > 0 };
-const LIMITS: &[Key] = &Limit::keys::<16>(OUTLINE.limits);
+const LIMITS: &[Key] = &Limit::keys::<18>(OUTLINE.limits);
 
 /// A column as the scene describes it; SI.
 #[derive(Clone, Debug)]
@@ -140,14 +142,15 @@ impl Described for ColumnScene {
             gravity: turning.gravity,
             drive: turning.drive,
             rope: turning.rope,
-            slip: turning.start.slip,
-            inverter: turning.start.inverter,
+            starting: turning.start.clone(),
             works: turning.works.clone(),
             places: turning.places.clone(),
             holds: turning.holds.clone(),
             brake: turning.brake,
             limit: turning.limit,
             pinion: turning.pinion,
+            stages: turning.stages.clone(),
+            mesh: turning.mesh,
             turns: turning.choice,
             open: LeftOpen::read(v, &[&s::R, &s::Q]),
         };
@@ -156,6 +159,10 @@ impl Described for ColumnScene {
 
     fn given(this: &Description<ColumnScene>) -> Given<f64> {
         this.given.clone()
+    }
+
+    fn check(this: &Description<ColumnScene>, v: &Values, found: &mut Vec<Diagnostic>) {
+        able(this, &this.turning, v, found);
     }
 
     fn levels(&self) -> Vec<&'static str> {
@@ -169,6 +176,7 @@ impl Described for ColumnScene {
     fn identities(this: &Description<ColumnScene>, model: &mut Standing) -> Vec<Check> {
         let mut checks = about_the_foot(model, *this.given.height);
         checks.extend(turned(this, model));
+        checks.extend(through_the_gear(model, &this.turning));
         checks
     }
 
@@ -187,7 +195,8 @@ impl Described for ColumnScene {
             .collect()
     }
 
-    fn more(this: &Description<ColumnScene>, _: &mut Standing, sheet: &mut Sheet) {
+    fn more(this: &Description<ColumnScene>, model: &mut Standing, sheet: &mut Sheet) {
+        shafts::<ColumnScene>(model, sheet);
         let governing = sheet.positions.first().map(|position| position.value);
         sheet
             .curves

@@ -6,6 +6,7 @@ use crate::component::stages::Found;
 use crate::component::whole::Whole;
 use crate::kernel::group::One;
 use crate::kernel::symbol::Symbol;
+use crate::parts::starts::way;
 use crate::supports::column::bearings::{ColumnForces, WorstBearings};
 use crate::supports::column::counterweight::{Evened, EvenedAt};
 use crate::supports::column::friction::{ColumnFriction, ColumnTurning, pivot_radius, rubbing};
@@ -58,9 +59,16 @@ impl Component for SlewingColumn {
 
     fn has(given: &Given<f64>, symbol: &'static Symbol) -> bool {
         let standing = [given.slope.is_some(), !given.areas.is_empty(), given.luffer.is_some()];
-        let starts = given.slip.is_some() || given.inverter.is_some();
-        let turning = [given.drive.is_some(), given.rope.is_some(), starts];
-        upper::keys::has(symbol, standing) && drive::has(symbol, standing, turning)
+        let staged = !given.stages.is_empty();
+        let turning = [
+            given.drive.is_some(),
+            given.rope.is_some(),
+            given.starting.is_some(),
+            staged,
+        ];
+        upper::keys::has(symbol, standing)
+            && drive::has(symbol, standing, turning)
+            && way::has(given.starting.as_ref(), symbol)
     }
 
     fn is_input(given: &Given<f64>, symbol: &'static Symbol) -> bool {

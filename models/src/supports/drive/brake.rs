@@ -7,7 +7,7 @@ use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 use crate::parts::motor::{CaseBrake, CaseHold};
-use crate::supports::drive::given::TurningDrive;
+use crate::supports::drive::gear::TurningDrive;
 use crate::supports::drive::inertia::Outswing;
 use crate::supports::drive::motor::TurningMotor;
 use crate::supports::drive::resistance::TurningMoments;
@@ -153,12 +153,7 @@ impl<C: Calc> Coupled<C> {
         pushed: &HardestPush<C>,
         stop: &TurningStop<C>,
     ) -> Coupled<C> {
-        let moves = motor.n.value() > 0.0;
-        let starts = if moves {
-            motor.against + pushed.torque(motor.inertia - drive.j, motor)
-        } else {
-            motor.against
-        };
+        let starts = pushed.behind(drive, motor);
         let torque = starts.greater(brake.torque - drive.j * stop.slows).def(&s::T_C);
         Coupled {
             torque,

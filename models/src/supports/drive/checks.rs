@@ -22,6 +22,19 @@ pub struct StandingThere<'a> {
     pub reach: Option<f64>,
 }
 
+/// The power of all pinions' shafts, less what is lost at the ring, against moment and speed of the crane in the case of heating:
+/// their difference over that power.
+pub fn through_the_gear(model: &mut Standing, turning: &TurningScene) -> Option<Check> {
+    let (count, heating, z) = (turning.drive?.turned.z, turning.choice.heating, turning.mesh?.1);
+    let mut apart = 0.0_f64;
+    for at in fine(model.motion()).collect::<Vec<_>>() {
+        let [powers, moments, speeds] = [&s::P_G, &s::M_ST, &s::OMEGA_C].map(|symbol| numbered(model, symbol, at));
+        let (given, taken) = (count * powers.last()? * z, moments[heating] * speeds[heating]);
+        apart = apart.max((given - taken).abs() / taken.abs().max(f64::MIN_POSITIVE));
+    }
+    Some(Check::at_most("turning_gear", &u::AGREEMENT, apart, 1e-12))
+}
+
 /// The moment of slope and wind against forces at their places in directions that do not slew: their difference over the sum
 /// of all amounts.
 pub fn about_the_axis(model: &mut Standing, turning: &TurningScene, there: &StandingThere) -> Option<Check> {

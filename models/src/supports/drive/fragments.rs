@@ -5,16 +5,17 @@ macro_rules! turned_by {
     (() $($to:tt)*) => {
         $crate::component::fragments::composed! { @with {
             Parameter gravity: Option<One<C>>,
-            Parameter drive: Option<$crate::supports::drive::given::TurningDrive<C>>,
+            Parameter drive: Option<$crate::supports::drive::given::GivenDrive<C>>,
             Parameter rope: Option<One<C>>,
-            Parameter slip: Option<$crate::parts::starts::SlipStart<C>>,
-            Parameter inverter: Option<$crate::parts::starts::InverterStart<C>>,
+            Parameter starting: Option<$crate::parts::starts::way::StartWay<C>>,
             Parameter works: Vec<$crate::supports::drive::given::TurningCase<C>>,
             Parameter places: Vec<$crate::supports::drive::given::TurnedArea<C>>,
             Parameter holds: Vec<$crate::parts::motor::CaseHold<C>>,
             Parameter brake: Option<$crate::parts::motor::CaseBrake<C>>,
             Parameter limit: Option<One<C>>,
             Parameter pinion: Option<$crate::supports::drive::given::RingPinion<C>>,
+            Parameter stages: Vec<$crate::supports::drive::given::GearStage<C>>,
+            Parameter mesh: Option<One<C>>,
             Fixed turns: $crate::supports::drive::given::TurningChoice,
             Fixed open: $crate::supports::plan::LeftOpen,
         } $($to)* }
@@ -22,12 +23,14 @@ macro_rules! turned_by {
 }
 pub(crate) use turned_by;
 
-/// Stages of what turns and of the load's outswing.
+/// Stages of the drive's gear, of what turns and of the load's outswing.
 macro_rules! swung {
     (() $($to:tt)*) => {
         $crate::component::fragments::composed! { @with {
+            geared: $crate::supports::drive::gear::TurningDrive<C> =
+                $crate::supports::drive::gear::TurningDrive::new(drive[!], stages, pinion, mesh);
             works_turned: $crate::supports::drive::inertia::TurnedWorks<C> =
-                $crate::supports::drive::inertia::TurnedWorks::new(drive[!], gravity[!], bodies, areas, places, spun[?]);
+                $crate::supports::drive::inertia::TurnedWorks::new(geared, gravity[!], bodies, areas, places, spun[?]);
             swung[each works]: Vec<$crate::supports::drive::inertia::Outswing<C>> =
                 $crate::supports::drive::inertia::Outswing::new(out, gravity[!], rope, works[each]);
         } $($to)* }
@@ -45,28 +48,30 @@ macro_rules! turned {
                     rubbing[each]
                 );
             motors[each works]: Vec<$crate::supports::drive::motor::TurningMotor<C>> =
-                $crate::supports::drive::motor::TurningMotor::new(drive[!], works[each], turned[each], swung[each]);
-            slipped[each works]: Vec<$crate::parts::starts::slip::Slipped<C>> =
-                $crate::supports::drive::starts::slipped(drive[!], slip[!], swung[each], motors[each]);
-            ramped[each works]: Vec<$crate::parts::starts::inverter::Ramped<C>> =
-                $crate::supports::drive::starts::ramped(drive[!], inverter[!], swung[each], motors[each]);
+                $crate::supports::drive::motor::TurningMotor::new(geared, works[each], turned[each], swung[each]);
+            started[each works]: Vec<$crate::parts::starts::way::Started<C>> =
+                $crate::supports::drive::starts::started(geared, starting[!], swung[each], motors[each]);
             pushed[each works]: Vec<$crate::supports::drive::starts::HardestPush<C>> =
-                $crate::supports::drive::starts::HardestPush::new(drive[!], slip, inverter, motors[each]);
+                $crate::supports::drive::starts::HardestPush::new(geared, starting, motors[each]);
             heat: $crate::supports::drive::motor::TurningHeat<C> =
-                $crate::supports::drive::motor::TurningHeat::new(drive[!], turns, swung, motors);
+                $crate::supports::drive::motor::TurningHeat::new(geared, turns, swung, motors);
             holding[each holds]: Vec<$crate::supports::drive::brake::TurningHold<C>> =
-                $crate::supports::drive::brake::TurningHold::new(drive[!], brake[!], holds[each], turned[each]);
+                $crate::supports::drive::brake::TurningHold::new(geared, brake[!], holds[each], turned[each]);
             stopping[each works]: Vec<$crate::supports::drive::brake::TurningStop<C>> =
-                $crate::supports::drive::brake::TurningStop::new(drive[!], brake[!], turned[each], swung[each], motors[each]);
+                $crate::supports::drive::brake::TurningStop::new(geared, brake[!], turned[each], swung[each], motors[each]);
             coupled[each works]: Vec<$crate::supports::drive::brake::Coupled<C>> =
                 $crate::supports::drive::brake::Coupled::new(
-                    drive[!], brake[!], limit[!], motors[each], pushed[each], stopping[each]
+                    geared, brake[!], limit[!], motors[each], pushed[each], stopping[each]
                 );
             meshed: C = $crate::supports::drive::pinion::meshed(pinion[!], turns) => RHO_C;
             pinions[each works]: Vec<$crate::supports::drive::pinion::PinionForce<C>> =
                 $crate::supports::drive::pinion::PinionForce::new(
-                    drive[!], pinion[!], meshed, turned[each], motors[each], pushed[each]
+                    geared, pinion[!], meshed, turned[each], motors[each], pushed[each]
                 );
+            carrying: $crate::supports::drive::shafts::DrivingShaft<C> =
+                $crate::supports::drive::shafts::DrivingShaft::new(geared, turns, motors, pushed);
+            shafts[stages]: Vec<$crate::supports::drive::shafts::GearShaft<C>> =
+                $crate::supports::drive::shafts::shafts(stages, carrying);
         } $($to)* }
     };
 }

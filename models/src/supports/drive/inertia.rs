@@ -6,7 +6,8 @@ use crate::component::stages::{absent, results};
 use crate::kernel::calc::{Calc, sum};
 use crate::kernel::group::One;
 use crate::luffing::luffed::LuffedInertia;
-use crate::supports::drive::given::{TurnedArea, TurningCase, TurningDrive};
+use crate::supports::drive::gear::TurningDrive;
+use crate::supports::drive::given::{TurnedArea, TurningCase};
 use crate::supports::drive::symbols as s;
 use crate::supports::upper::weights::{UpperArea, UpperWeight};
 

@@ -4,7 +4,8 @@ use std::f64::consts::TAU;
 
 use crate::component::stages::{Found, absent, results};
 use crate::kernel::calc::Calc;
-use crate::supports::drive::given::{TurningCase, TurningChoice, TurningDrive};
+use crate::supports::drive::gear::TurningDrive;
+use crate::supports::drive::given::{TurningCase, TurningChoice};
 use crate::supports::drive::inertia::Outswing;
 use crate::supports::drive::resistance::TurningMoments;
 use crate::supports::drive::symbols as s;
@@ -15,7 +16,7 @@ use crate::supports::drive::symbols as s;
 pub struct TurningMotor<C> {
     pub n: C,
     pub against: C,
-    power: C,
+    pub power: C,
     used: C,
     ways: [C; 2],
     both: C,

@@ -3,7 +3,8 @@
 use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::parts::teeth;
-use crate::supports::drive::given::{RingPinion, TurningChoice, TurningDrive};
+use crate::supports::drive::gear::TurningDrive;
+use crate::supports::drive::given::{RingPinion, TurningChoice};
 use crate::supports::drive::motor::TurningMotor;
 use crate::supports::drive::resistance::TurningMoments;
 use crate::supports::drive::starts::HardestPush;

@@ -3,7 +3,8 @@
 use crate::component::stages::{absent, results};
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
-use crate::supports::drive::given::{TurningCase, TurningDrive};
+use crate::supports::drive::gear::TurningDrive;
+use crate::supports::drive::given::TurningCase;
 use crate::supports::drive::inertia::{Outswing, TurnedWorks};
 use crate::supports::drive::symbols as s;
 use crate::supports::upper::load::{SupportCase, SupportLoad};

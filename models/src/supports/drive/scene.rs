@@ -6,9 +6,10 @@ use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Kind, Values};
 use crate::kernel::symbol::Symbol;
 use crate::parts::motor::{CaseBrake, CaseHold};
-use crate::parts::starts::N_0;
-use crate::parts::starts::scene::{MotorStart, START};
-use crate::supports::drive::given::{RingPinion, TurnedArea, TurningCase, TurningChoice, TurningDrive};
+use crate::parts::starts::scene::{START, read};
+use crate::parts::starts::way::StartWay;
+use crate::parts::starts::{N_0, N_IDLE};
+use crate::supports::drive::given::{GearStage, GivenDrive, RingPinion, TurnedArea, TurningCase, TurningChoice};
 use crate::supports::drive::symbols as s;
 
 /// Beside the support.
@@ -18,32 +19,37 @@ pub const DRIVE: Key = Key::part(
     "The slewing drive: motors, gears, brakes, pinions.",
 );
 
+/// Most stages of the gear.
+const MANY: usize = 8;
+
 /// Where the toothed ring has its teeth.
 const SIDES: [&str; 2] = ["outside", "inside"];
 
 const KEYS: &[Key] = keys! { s:
-    Z_D > 0 [usually(1.0)], I_SL > 0, ETA_SL > 0, J_E >= 0 [usually(0.0)], P_N > 0, N_N > 0, LAMBDA_M > 0, K_A > 0, J_M > 0,
+    Z_D > 0 [usually(1.0)], I_SL > 0 [optional], ETA_SL > 0 [optional], J_E >= 0 [usually(0.0)], P_N > 0, N_N > 0, LAMBDA_M > 0, K_A > 0, J_M > 0,
     L_R > 0 [optional];
     Key::new("heating", Kind::Count([1, 64]), "The load case for whose slewing to either side the heating of the motors is asked."),
+    Key::new("stages", Kind::Tables(STAGE, MANY), "Stages of each gear from the motor to the pinion's shaft, in the place of i_sl and eta_sl, which then follow with pinion and ring.").optional(),
     START,
     Key::part("brake", BRAKE, "The brake on each motor's shaft."),
     Key::part("coupling", COUPLING, "The coupling behind each motor, which slips."),
     Key::part("pinion", PINION, "The pinion of each drive, and the toothed ring.")
 };
 
+static STAGE: &[Key] = keys! { s: I_G > 0, ETA_G > 0 };
 const BRAKE: &[Key] = keys! { s: T_B > 0, TAU_B >= 0 };
 const COUPLING: &[Key] = keys! { s: K_LIM > 0 [usually(1.1)] };
-const PINION: &[Key] = keys! { s: R_Z > 0, R_G > 0, K_F > 0, Y_F > 0, B_Z > 0, M_T > 0, ALPHA_T > 0, E_T > 0, NU_T >= 0;
+const PINION: &[Key] = keys! { s: R_Z > 0, R_G > 0, ETA_R > 0 [optional], K_F > 0, Y_F > 0, B_Z > 0, M_T > 0, ALPHA_T > 0, E_T > 0, NU_T >= 0;
     Key::new("teeth", Kind::Choice(&SIDES), "Whether the ring has its teeth outside or inside.")
 };
 
 /// A slewing drive as the scene describes it; nothing where it has none.
 #[derive(Clone, Debug, Default)]
 pub struct TurningScene {
-    pub drive: Option<TurningDrive<f64>>,
+    pub drive: Option<GivenDrive<f64>>,
     pub gravity: Option<One<f64>>,
     pub rope: Option<One<f64>>,
-    pub start: MotorStart,
+    pub start: Option<StartWay<f64>>,
     /// Of each load case, and of each wind area.
     pub works: Vec<TurningCase<f64>>,
     pub places: Vec<TurnedArea<f64>>,
@@ -51,6 +57,9 @@ pub struct TurningScene {
     pub brake: Option<CaseBrake<f64>>,
     pub limit: Option<One<f64>>,
     pub pinion: Option<RingPinion<f64>>,
+    /// Of the gear, and the efficiency of pinion and ring behind them.
+    pub stages: Vec<GearStage<f64>>,
+    pub mesh: Option<One<f64>>,
     pub choice: TurningChoice,
 }
 
@@ -85,10 +94,11 @@ impl TurningScene {
         }
         let heating = table.count("heating")? as usize - 1;
         suits(table, cases, heating, found);
+        geared(table, found);
         let one = |symbol: &'static Symbol| table.of(symbol).map(|value| One(symbol, value));
         let pinion = table.table("pinion");
         let read = TurningScene {
-            drive: TurningDrive::read(table),
+            drive: GivenDrive::read(table),
             gravity: Some(One(&s::G, gravity)),
             rope: one(&s::L_R),
             start: start(table, cases, found),
@@ -98,6 +108,10 @@ impl TurningScene {
             brake: brake.and_then(CaseBrake::read),
             limit: one(&s::K_LIM),
             pinion: pinion.and_then(RingPinion::read),
+            stages: table.tables("stages").iter().filter_map(GearStage::read).collect(),
+            mesh: pinion
+                .and_then(|pinion| pinion.of(&s::ETA_R))
+                .map(|eta| One(&s::ETA_R, eta)),
             choice: TurningChoice {
                 heating,
                 inside: pinion.and_then(|pinion| pinion.text("teeth")) == Some(SIDES[1]),
@@ -117,9 +131,13 @@ impl TurningScene {
 
     /// Ids of what it does not calculate.
     pub fn uncovered(&self) -> Option<&'static str> {
-        let known = self.start.slip.is_some() || self.start.inverter.is_some();
-        self.drive
-            .map(|_| if known { "turning_duty" } else { "turning_starter" })
+        self.drive.map(|_| {
+            if self.start.is_some() {
+                "turning_duty"
+            } else {
+                "turning_starter"
+            }
+        })
     }
 }
 
@@ -150,24 +168,78 @@ fn each(
 }
 
 /// How its motors start, by the speeds of these load cases.
-fn start(table: &Values, cases: &[Values], found: &mut Vec<Diagnostic>) -> MotorStart {
-    let Some((own, rated)) = table.table("start").zip(table.of(&s::N_N)) else {
-        return MotorStart::default();
+fn start(table: &Values, cases: &[Values], found: &mut Vec<Diagnostic>) -> Option<StartWay<f64>> {
+    let (own, rated) = table.table("start").zip(table.of(&s::N_N))?;
+    let way = read(own, rated, found)?;
+    let ratio = table.of(&s::I_SL).or(staged(table)).unwrap_or(0.0);
+    let turns = |(number, case): (usize, &Values)| case.of(&s::N_S).map(|n| (number, n * ratio));
+    let turning: Vec<(usize, f64)> = (1..).zip(cases).filter_map(turns).collect();
+    let (wrong, key, limit) = match &way {
+        StartWay::SlipStart(slip) => {
+            let fastest = turning.iter().max_by(|one, other| one.1.total_cmp(&other.1));
+            let limit = format!("which is not below n_0 = {}", N_0.written(slip.n_0));
+            (fastest.filter(|(_, turns)| *turns >= slip.n_0), N_0.id, limit)
+        }
+        StartWay::InverterStart(_) => return Some(way),
+        StartWay::EngineStart(engine) => {
+            let mut moving = turning.iter().filter(|(_, turns)| *turns > 0.0);
+            let [idle, most] = [engine.speeds.idle, engine.speeds.most].map(|n| s::N_MOT.written(n));
+            let limit = format!("and an engine runs from n_idle = {idle} to n_gov = {most}");
+            (moving.find(|(_, turns)| !engine.runs(*turns)), N_IDLE.id, limit)
+        }
     };
-    let read = MotorStart::read(own, rated, found);
-    let ratio = table.of(&s::I_SL).unwrap_or(0.0);
-    let turns = |case: &Values| case.of(&s::N_S).map(|n| n * ratio);
-    let fastest = (1..)
-        .zip(cases.iter().filter_map(turns))
-        .max_by(|one, other| one.1.total_cmp(&other.1));
-    if let Some((slip, (number, turns))) = read.slip.zip(fastest).filter(|(slip, (_, turns))| *turns >= slip.n_0) {
-        let [turns, full] = [s::N_MOT.written(turns), N_0.written(slip.n_0)];
-        let what =
-            format!("in load case {number} a motor would have to turn at {turns}, which is not below n_0 = {full}");
-        let help = "give a motor that turns faster, or a smaller ratio i_sl";
-        found.push(own.refuse(N_0.id, what, "too slow", help));
+    if let Some((number, turns)) = wrong {
+        let what = format!(
+            "in load case {number} a motor would have to turn at {}, {limit}",
+            s::N_MOT.written(*turns)
+        );
+        let (label, help) = match way {
+            StartWay::EngineStart(_) => (
+                "not so",
+                "give another ratio i_sl or other stages, or another speed of the case",
+            ),
+            _ => ("too slow", "give a motor that turns faster, or a smaller ratio i_sl"),
+        };
+        found.push(own.refuse(key, what, label, help));
     }
-    read
+    Some(way)
+}
+
+/// Turns of a motor for one of the crane, by stages, pinion and ring.
+fn staged(table: &Values) -> Option<f64> {
+    let pinion = table.table("pinion")?;
+    let stages = table.tables("stages").iter().filter_map(|stage| stage.of(&s::I_G));
+    Some(stages.product::<f64>() * pinion.of(&s::R_G)? / pinion.of(&s::R_Z)?)
+}
+
+/// Refuses a gear that is given twice or not at all, and stages without a pinion or its efficiency.
+fn geared(table: &Values, found: &mut Vec<Diagnostic>) {
+    let (by, stages) = ("[[supports.slewing_drive.stages]]", !table.tables("stages").is_empty());
+    for (symbol, example) in [(&s::I_SL, "640"), (&s::ETA_SL, "85 %")] {
+        let id = symbol.id;
+        let (what, label, help) = match (stages, table.has(id)) {
+            (false, false) => (
+                format!("`{id}` is missing in [supports.slewing_drive]"),
+                "a gear without it".to_owned(),
+                format!("add {id} = \"{example}\", or {by} and the pinion's eta_r"),
+            ),
+            (true, true) => (
+                format!("`{id}` beside {by}, of which it follows"),
+                "given twice".to_owned(),
+                format!("remove it, or {by}"),
+            ),
+            _ => continue,
+        };
+        found.push(table.refuse(id, what, label, help));
+    }
+    match table.table("pinion") {
+        None if stages => {
+            let help = "add [supports.slewing_drive.pinion]: the last ratio is r_g / r_z";
+            found.push(table.refuse("stages", "gear stages without a pinion", "a pinion is needed", help));
+        }
+        None => {}
+        Some(pinion) => each(std::slice::from_ref(pinion), &s::ETA_R, stages, (by, "95 %"), found),
+    }
 }
 
 /// Refuses part of a drive, motors that nothing heats, a coupling without a brake, and a ring within its pinion.

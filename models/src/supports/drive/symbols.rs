@@ -8,7 +8,7 @@ pub use crate::parts::motor::{
     A_START, A_START_MAX, A_STOP, A_STOP_MAX, J_K, J_M, J_START, K_A, K_B, LAMBDA_M, N_MOT, N_N, N_S, OMEGA_B, P_M,
     P_M_MAX, P_N, PSI_B, T_0, T_B, T_START, T_START_MAX, T_STOP, T_STOP_MAX, TAU_B, U_M, U_M_MAX,
 };
-pub use crate::parts::starts::{A_INV, A_SLIP, T_INV, T_SLIP};
+pub use crate::parts::starts::{A_ENG, A_INV, A_SLIP, T_ENG, T_INV, T_SLIP};
 pub use crate::parts::teeth::{ALPHA_T, E_T, K_F, M_T, NU_T, RHO_C, Y_F};
 
 symbols! {
@@ -17,6 +17,9 @@ symbols! {
     Z_D: "z_d" "z_d" ONE / ONE [from_to(1.0, 16.0)], "Number of drives, all alike.", "input";
     I_SL: "i_sl" "i_\"sl\"" ONE / ONE [positive], "Turns of a motor for one of the crane.", "[Ports001, 6.5.4]";
     ETA_SL: "eta_sl" "eta_\"sl\"" ONE / ONE [above_to(0.0, 1.0)], "Efficiency of all between motor and slewing axis.", "[Ports001, 6.5.2]";
+    I_G: "i_g" "i_(g i)" ONE / ONE [positive], "Turns of the shaft before a gear stage for one of the shaft behind it.", "[Ports001, 6.5.4]";
+    ETA_G: "eta_g" "eta_(g i)" ONE / ONE [above_to(0.0, 1.0)], "Efficiency of a gear stage.", "[Ports001, 6.5.4]";
+    ETA_R: "eta_r" "eta_r" ONE / ONE [above_to(0.0, 1.0)], "Efficiency of pinion and toothed ring with the bearings of the pinion's shaft.", "[Ports001, 6.5.4]";
     K_LIM: "k_lim" "k_\"lim\"" ONE / ONE [positive, unconfirmed], "Torque at which the coupling slips over the greatest that it transmits at work.", "[Ports001, 6.5.4]";
     R_G: "r_g" "r_g" M / M [positive], "Pitch radius of the toothed ring about the slewing axis.", "[Ports001, 6.5.4]";
     B_Z: "b_z" "b_z" M / MM [positive], "Width of the teeth.", "input";
@@ -63,6 +66,19 @@ symbols! {
     F_T: "F_t" "F_(\"t\" i)" N / KN, "Tangential force of a pinion on the toothed ring.", "[Ports001, 6.5.4]";
     SIGMA_FZ: "sigma_Fz" "sigma_(F z i)" PA / MPA, "Bending stress at the root of the teeth.", "[Ports001, 6.5.4]";
     SIGMA_HZ: "sigma_Hz" "sigma_(H z i)" PA / MPA, "Contact pressure of the teeth at the pitch point.", "[Ports001, 6.5.4]";
+
+    // Shafts from a motor to its pinion, in the case of heating.
+    SHAFT: "shaft" "i" ONE / ONE, "Number of a shaft: the motor's is 0, the pinion's the last.", "derived";
+    N_G0: "n_g0" "n_(g 0)" PER_S / PER_MIN, "Speed of a motor's shaft in the case of heating.", "derived";
+    T_G0: "T_g0" "T_(g 0)" N_M / N_M, "Torque of a motor's shaft against steady slewing in the case of heating.", "[Ports001, 6.5.2]";
+    P_G0: "P_g0" "P_(g 0)" W / KW, "Power of a motor's shaft against steady slewing in the case of heating.", "[Ports001, 6.5.2]";
+    T_GP0: "T_gp0" "T_(\"gp\" 0)" N_M / N_M, "Greatest torque that a motor gives to its gear in a start, of all load cases.", "[Ports001, 6.5.2]";
+    U_G: "u_g" "u_(g i)" ONE / ONE, "Turns of a motor for one of the shaft.", "[Ports001, 6.5.4]";
+    ETA_U: "eta_u" "eta_(u i)" ONE / ONE, "Efficiency between a motor and the shaft.", "[Ports001, 6.5.4]";
+    N_G: "n_g" "n_(g i)" PER_S / PER_MIN, "Speed of the shaft in the case of heating.", "[Ports001, 6.5.4]";
+    T_G: "T_g" "T_(g i)" N_M / KN_M, "Torque of the shaft against steady slewing in the case of heating.", "[Ports001, 6.5.4]";
+    P_G: "P_g" "P_(g i)" W / KW, "Power of the shaft against steady slewing in the case of heating.", "[Ports001, 6.5.4]";
+    T_GP: "T_gp" "T_(\"gp\" i)" N_M / KN_M, "Greatest torque of the shaft in a start, of all load cases.", "[Ports001, 6.5.4]";
     P_HS: "P_hs" "P_\"h\"" W / KW, "Root mean square of a motor's powers to either side, in the case of heating.", "[Ports001, 6.5.2]";
     U_HS: "u_hs" "u_\"h\"" ONE / ONE, "The same over the rated power.", "derived";
     TAU_S: "tau_s" "tau_\"s\"" S / S, "Time for one radian of slewing in the case of heating.", "derived";
@@ -75,9 +91,12 @@ symbols! {
     A_SLIP_MAX: "a_slip_max" "a_(k,max)" M_PER_S2 / M_PER_S2, "Greatest mean acceleration of the head in such a start.", "derived";
     T_INV_MAX: "t_inv_max" "t_(u,max)" S / S [infinite("where the motor cannot start")], "Longest start on the inverter.", "derived";
     A_INV_MAX: "a_inv_max" "a_(u,max)" M_PER_S2 / M_PER_S2, "Greatest mean acceleration of the head in such a start.", "derived";
+    T_ENG_MAX: "t_eng_max" "t_(e,max)" S / S [infinite("where the motor cannot start")], "Longest start by the clutch and along the engine's torque curve.", "derived";
+    A_ENG_MAX: "a_eng_max" "a_(e,max)" M_PER_S2 / M_PER_S2, "Greatest mean acceleration of the head in such a start.", "derived";
     U_BS_MAX: "u_bs_max" "u_\"b,max\"" ONE / ONE, "Greatest torque that a brake must have over the one that it has.", "derived";
     PSI_STOP_MAX: "psi_stop_max" "psi_\"s,max\"" RAD / DEG [infinite("where the brakes do not stop the drive")], "Greatest angle of a stop.", "derived";
     T_LIM_MAX: "T_lim_max" "T_\"lim\"" N_M / N_M, "Torque at which the coupling must slip.", "derived";
+    T_GP_MAX: "T_gp_max" "T_\"gp,max\"" N_M / KN_M, "Greatest torque of a shaft of the gear in a start.", "derived";
     F_T_MAX: "F_t_max" "F_\"t,max\"" N / KN, "Greatest tangential force of a pinion.", "derived";
     SIGMA_FZ_MAX: "sigma_Fz_max" "sigma_(F z,max)" PA / MPA, "Greatest bending stress at the root of the teeth.", "derived";
     SIGMA_HZ_MAX: "sigma_Hz_max" "sigma_(H z,max)" PA / MPA, "Greatest contact pressure of the teeth.", "derived";

@@ -3,7 +3,7 @@
 
 use crate::kernel::calc::Calc;
 use crate::kernel::group::{group, quantities};
-use crate::supports::drive::given::TurningDrive;
+use crate::supports::drive::given::GivenDrive;
 use crate::supports::drive::symbols::M_FS;
 use crate::supports::ring::elements::{Raceway, RollingForces};
 use crate::supports::ring::symbols as s;
@@ -35,7 +35,7 @@ pub fn by_elements<C: Calc>(raceway: &Raceway<C>, friction: &ElementFriction<C>,
 }
 
 /// The greatest of the forms that there are, in N·m: each has its own coefficient, and the scene gives one at least.
-pub fn rubbing<C: Calc>(_: &TurningDrive<C>, elements: Option<&Vec<C>>, maker: Option<&Vec<C>>, room: &mut Vec<C>) {
+pub fn rubbing<C: Calc>(_: &GivenDrive<C>, elements: Option<&Vec<C>>, maker: Option<&Vec<C>>, room: &mut Vec<C>) {
     let forms = [elements, maker];
     let cases = forms.iter().flatten().map(|form| form.len()).max().unwrap_or(0);
     room.clear();

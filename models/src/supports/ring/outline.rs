@@ -5,6 +5,7 @@ use crate::component::outline::{Greatest, Limit, Line, Most, Outline, SectionOut
 use crate::kernel::symbol::listed;
 use crate::luffing::aboard::{OMEGA_1, THETA_1, THETA_A, THETA_E};
 use crate::luffing::kinds::GIVEN;
+use crate::parts::starts::engine;
 use crate::supports::drive::outline as drive;
 use crate::supports::drive::symbols as d;
 use crate::supports::ring::symbols as s;
@@ -16,7 +17,7 @@ pub const OUTLINE: Outline = Outline {
         carried_luffing "luffing", carried_weights "luffing.weights", carried_balance "luffing.balance", carried_inertias "luffing.dynamics", carried_range "luffing.motion",
         upper_slope "slope", upper_areas "areas",
         upper_cases "load_cases", ring_contact "contact", ring_capacity "capacity", ring_curve "capacity.curve",
-        ring_friction "friction", ring_maker "maker_friction", ring_bolts "bolts", ring_life "life", turning_drive "slewing_drive", case_start "slewing_drive.start", turning_brake "slewing_drive.brake", turning_coupling "slewing_drive.coupling", turning_pinion "slewing_drive.pinion",
+        ring_friction "friction", ring_maker "maker_friction", ring_bolts "bolts", ring_life "life", turning_drive "slewing_drive", turning_stages "slewing_drive.stages", case_start "slewing_drive.start", case_curve "slewing_drive.start.curve", turning_brake "slewing_drive.brake", turning_coupling "slewing_drive.coupling", turning_pinion "slewing_drive.pinion",
         motion, limits
     ),
     constants: &CONSTANTS,
@@ -34,13 +35,14 @@ pub const OUTLINE: Outline = Outline {
         ("carried_bars", GIVEN),
         ("upper_cases", listed!(u: K_Q, P_W, CHI_W)),
         ("upper_cases", listed!(d: N_S, ALPHA_Q, K_B)),
+        engine::USE,
         ("ring_curve", listed!(s: F_CURVE, M_CURVE)),
     ],
     forces: listed!(s: V, H, M, P_MAX, P_MIN),
     worst: &[("greatest_rolling_force", &s::P_TOP)],
 };
 
-const CONSTANTS: [SectionOutline; 6] = joined(OWN_CONSTANTS, drive::CONSTANTS);
+const CONSTANTS: [SectionOutline; 7] = joined(OWN_CONSTANTS, drive::CONSTANTS);
 
 const OWN_CONSTANTS: [SectionOutline; 4] = [
     ("carried_luffing", &[Stage("luffed"), Stage("spun")]),
@@ -49,7 +51,7 @@ const OWN_CONSTANTS: [SectionOutline; 4] = [
     ("ring_hardness", &[Stage("hardness")]),
 ];
 
-const SECTIONS: [SectionOutline; 15] = joined(OWN_SECTIONS, drive::SECTIONS);
+const SECTIONS: [SectionOutline; 16] = joined(OWN_SECTIONS, drive::SECTIONS);
 
 const OWN_SECTIONS: [SectionOutline; 7] = [
     ("upper_loads", &[Stage("loads")]),
@@ -71,7 +73,7 @@ const OWN_CURVES: [Line; 5] = [
     ("ring_least", None, &s::P_MIN),
 ];
 
-const EXTREMES: [Greatest; 33] = joined(OWN_EXTREMES, drive::EXTREMES);
+const EXTREMES: [Greatest; 36] = joined(OWN_EXTREMES, drive::EXTREMES);
 
 const OWN_EXTREMES: [Greatest; 16] = [
     Greatest::new(&s::V_TOP, Most::Greatest, &s::V),
@@ -92,7 +94,7 @@ const OWN_EXTREMES: [Greatest; 16] = [
     Greatest::new(&s::L_10_MIN, Most::Least, &s::L_10),
 ];
 
-const LIMITS: [Limit; 22] = joined(OWN_LIMITS, drive::LIMITS);
+const LIMITS: [Limit; 24] = joined(OWN_LIMITS, drive::LIMITS);
 
 const OWN_LIMITS: [Limit; 9] = [
     Limit::at_most("ring_force", &s::P_TOP),

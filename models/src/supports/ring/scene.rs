@@ -20,9 +20,12 @@ use crate::luffing::luffed::Luffer;
 use crate::parts::load_curve::{LoadCurve, corner};
 use crate::parts::motion::Motion;
 use crate::parts::plane::Point;
+use crate::parts::polyline::rising;
 use crate::supports::drive;
-use crate::supports::drive::checks::{StandingThere, about_the_axis};
+use crate::supports::drive::able::able;
+use crate::supports::drive::checks::{StandingThere, about_the_axis, through_the_gear};
 use crate::supports::drive::scene::{DRIVE, TurningScene};
+use crate::supports::drive::told::shafts;
 use crate::supports::plan::{LeftOpen, each};
 use crate::supports::ring::bolts::RingBolts;
 use crate::supports::ring::capacity::Equivalent;
@@ -74,7 +77,7 @@ static LIFE: &[Key] = keys! { s: C_D > 0, K_H >= 0 [usually(0.75)] };
 static MAKER: &[Key] = keys! { s: MU_M >= 0;
     Key::new("form", Kind::Choice(&FORMS), "The maker's form: Rothe Erde's of ball or of roller rings, or another maker's of ball rings, in which the horizontal force counts 2.2 times.")
 };
-const LIMITS: &[Key] = &Limit::keys::<19>(OUTLINE.limits);
+const LIMITS: &[Key] = &Limit::keys::<21>(OUTLINE.limits);
 
 /// A slewing ring as the scene describes it; SI.
 #[derive(Clone, Debug)]
@@ -114,49 +117,22 @@ fn bolted(v: &Values, found: &mut Vec<Diagnostic>) {
 /// The points of the load curve; mistakes go to `found`.
 fn curve(capacity: &Values, found: &mut Vec<Diagnostic>) -> Option<LoadCurve> {
     let tables = capacity.tables("curve");
-    let mut points: Vec<[f64; 2]> = Vec::new();
-    let mut refuse = |place: usize, key: &Symbol, what: String, help: &str| {
-        found.push(tables[place].refuse(key.id, what, "not on a load curve", help));
-    };
-    for (place, table) in tables.iter().enumerate() {
-        let point = [table.of(&s::F_CURVE)?, table.of(&s::M_CURVE)?];
-        let [force, moment] = [s::F_CURVE.written(point[0]), s::M_CURVE.written(point[1])];
-        match points.last() {
-            None if point[0] != 0.0 => {
-                let what = format!("the load curve begins at F_curve = {force}");
-                refuse(
-                    place,
-                    &s::F_CURVE,
-                    what,
-                    "begin with the moment that the ring bears without force: F_curve = \"0 kN\"",
-                );
-            }
-            None if point[1] == 0.0 => {
-                let what = format!("the load curve begins at M_curve = {moment}");
-                refuse(
-                    place,
-                    &s::M_CURVE,
-                    what,
-                    "give the moment that the ring bears without force: above zero",
-                );
-            }
-            Some(last) if point[0] <= last[0] => {
-                let what = format!("F_curve = {force} after {}", s::F_CURVE.written(last[0]));
-                refuse(place, &s::F_CURVE, what, "give the points with rising force");
-            }
-            _ => {}
-        }
-        points.push(point);
-    }
-    if points.len() == 1 {
-        refuse(
-            0,
-            &s::F_CURVE,
-            "a load curve with one point".to_owned(),
-            "give two points at least",
-        );
-    }
-    Some(LoadCurve(points))
+    let told = tables.first().and_then(|first| {
+        let [force, moment] = [first.of(&s::F_CURVE)?, first.of(&s::M_CURVE)?];
+        (force != 0.0)
+            .then(|| {
+                let what = format!("the load curve begins at F_curve = {}", s::F_CURVE.written(force));
+                let help = "begin with the moment that the ring bears without force: F_curve = \"0 kN\"";
+                first.refuse(s::F_CURVE.id, what, "not on a load curve", help)
+            })
+            .or((moment == 0.0).then(|| {
+                let what = format!("the load curve begins at M_curve = {}", s::M_CURVE.written(moment));
+                let help = "give the moment that the ring bears without force: above zero";
+                first.refuse(s::M_CURVE.id, what, "not on a load curve", help)
+            }))
+    });
+    found.extend(told);
+    rising(tables, [&s::F_CURVE, &s::M_CURVE], ["a load curve", "force"], found).map(LoadCurve)
 }
 
 /// What resists slewing, another way.
@@ -232,14 +208,15 @@ impl Described for RingScene {
             gravity: turning.gravity,
             drive: turning.drive,
             rope: turning.rope,
-            slip: turning.start.slip,
-            inverter: turning.start.inverter,
+            starting: turning.start.clone(),
             works: turning.works.clone(),
             places: turning.places.clone(),
             holds: turning.holds.clone(),
             brake: turning.brake,
             limit: turning.limit,
             pinion: turning.pinion,
+            stages: turning.stages.clone(),
+            mesh: turning.mesh,
             turns: turning.choice,
             open: LeftOpen::read(v, &[&s::R, &s::Q]),
         };
@@ -248,6 +225,10 @@ impl Described for RingScene {
 
     fn given(this: &Description<RingScene>) -> Given<f64> {
         this.given.clone()
+    }
+
+    fn check(this: &Description<RingScene>, v: &Values, found: &mut Vec<Diagnostic>) {
+        able(this, &this.turning, v, found);
     }
 
     fn levels(&self) -> Vec<&'static str> {
@@ -263,6 +244,7 @@ impl Described for RingScene {
         let bolts = this.given.bolts.as_ref();
         checks.extend(bolts.map(|given| bolt_pulls(model, [given.n, given.d])));
         checks.extend(turned(this, model));
+        checks.extend(through_the_gear(model, &this.turning));
         checks
     }
 
@@ -302,6 +284,7 @@ impl Described for RingScene {
 
     /// The moment over the reach; the load curve, with the reference loads of the cases where the curve is used most.
     fn more(this: &Description<RingScene>, model: &mut Standing, sheet: &mut Sheet) {
+        shafts::<RingScene>(model, sheet);
         let governing = sheet.positions.first().map(|position| position.value);
         sheet
             .curves

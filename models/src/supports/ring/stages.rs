@@ -7,6 +7,7 @@ use crate::component::whole::Whole;
 use crate::kernel::group::One;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::parts::load_curve::LoadCurve;
+use crate::parts::starts::way;
 use crate::supports::drive;
 use crate::supports::drive::fragments::{swung, turned, turned_by};
 use crate::supports::ring::bolts::{BoltForces, RingBolts};
@@ -73,9 +74,16 @@ impl Component for SlewingRing {
 
     fn has(given: &Given<f64>, symbol: &'static Symbol) -> bool {
         let standing = [given.slope.is_some(), !given.areas.is_empty(), given.luffer.is_some()];
-        let starts = given.slip.is_some() || given.inverter.is_some();
-        let turning = [given.drive.is_some(), given.rope.is_some(), starts];
-        upper::keys::has(symbol, standing) && drive::has(symbol, standing, turning)
+        let staged = !given.stages.is_empty();
+        let turning = [
+            given.drive.is_some(),
+            given.rope.is_some(),
+            given.starting.is_some(),
+            staged,
+        ];
+        upper::keys::has(symbol, standing)
+            && drive::has(symbol, standing, turning)
+            && way::has(given.starting.as_ref(), symbol)
     }
 
     fn is_input(given: &Given<f64>, symbol: &'static Symbol) -> bool {
