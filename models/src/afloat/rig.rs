@@ -37,7 +37,7 @@ fn suits(v: &Values, pedestal: &Values, found: &mut Vec<Diagnostic>) {
         found.push(at.refuse(key, what, label, help));
     };
     let (own, other) = if luffs { (low, high) } else { (high, low) };
-    if !pedestal.has(own) {
+    if !pedestal.stands(own) {
         let help = match luffs {
             true => "add h_1 = \"12 m\", the height of the luffing mechanism's foot above the keel",
             false => "add h_s = \"38 m\", the height of the load's point of suspension above the keel",
@@ -57,7 +57,7 @@ fn suits(v: &Values, pedestal: &Values, found: &mut Vec<Diagnostic>) {
         };
         refuse(pedestal, other, what.to_owned(), "not used", help);
     }
-    if let Some(dynamics) = v.table("dynamics").filter(|table| luffs && !table.has(s::T_1.id)) {
+    if let Some(dynamics) = v.table("dynamics").filter(|table| luffs && !table.stands(s::T_1.id)) {
         refuse(
             dynamics,
             s::T_1.id,

@@ -13,7 +13,7 @@ use crate::parts::solid::{Triangle, TriangleMesh};
 
 /// The box of a hull that has no sections; mistakes go to `found`.
 pub fn built(v: &Values, found: &mut Vec<Diagnostic>) -> Option<BoxHull<f64>> {
-    let has = |symbol: &Symbol| v.has(symbol.id);
+    let has = |symbol: &Symbol| v.stands(symbol.id);
     let all = [&s::L, &s::B, &s::D];
     match (v.has("sections"), all.iter().find(|symbol| has(symbol))) {
         (true, Some(symbol)) => {

@@ -44,7 +44,7 @@ pub fn hanging(length: f64) -> RopedLoad<f64> {
 pub fn suits(v: &Values, found: &mut Vec<Diagnostic>) {
     let moves = v.text("fidelity") == Some("swing");
     if moves {
-        let [rope, dynamics] = [s::L_R.id, "dynamics"].map(|key| !v.has(key));
+        let [rope, dynamics] = [s::L_R.id, "dynamics"].map(|key| !v.stands(key));
         if rope {
             let help = "add l_R = \"15 m\", the length of the rope from head to load";
             let what = "a swinging load without a rope";

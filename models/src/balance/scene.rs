@@ -148,7 +148,7 @@ impl Form<f64> {
                 None if key.name == "branch" => (lever, lever),
                 None => continue,
             };
-            let given = v.has(key.name);
+            let given = v.stands(key.name);
             if needs && !given {
                 found.push(missing(
                     v.span.clone(),

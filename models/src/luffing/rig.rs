@@ -23,7 +23,7 @@ pub struct GivenCrane {
 /// Refuses a reach that is given twice, or not at all, and what is `idle` where nothing luffs.
 fn suits(v: &Values, table: &str, idle: &[&str], found: &mut Vec<Diagnostic>) {
     let luffs = v.has(CARRIED.name);
-    match (luffs, v.has(s::R.id)) {
+    match (luffs, v.stands(s::R.id)) {
         (true, true) => {
             let what = "`R` beside [luffing], whose bars give it";
             found.push(v.refuse(s::R.id, what, "given twice", "remove it, or [luffing]"));

@@ -118,7 +118,7 @@ fn suits(v: &Values, found: &mut Vec<Diagnostic>) -> [bool; 2] {
     let swings = v.text("fidelity") == Some("swing");
     let moves = swings || v.text("fidelity") == Some("rigid");
     for (symbol, example) in [(&s::R, "20 m"), (&s::Q, "100 kN")] {
-        if !v.has(symbol.id) {
+        if !v.stands(symbol.id) {
             let id = symbol.id;
             let help = format!(
                 "add {id} = \"{example}\", or {id} = {{ input = \"{example}\" }} for an input that starts there, or a \

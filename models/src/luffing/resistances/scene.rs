@@ -185,7 +185,7 @@ impl Cases {
                 continue;
             };
             let is_guide = guide == Some(known[at]);
-            if pin.has(s::R_P.id) == is_guide {
+            if pin.stands(s::R_P.id) == is_guide {
                 let (what, label, help) = if is_guide {
                     ("is a guide and has no radius", "not used", "remove it")
                 } else {

@@ -152,7 +152,7 @@ fn each(
 ) {
     for table in tables {
         let id = symbol.id;
-        match (needed, table.has(id)) {
+        match (needed, table.stands(id)) {
             (true, false) => {
                 let label = format!("{by} needs {id}");
                 let help = format!("add {id} = \"{example}\", or what it is");
@@ -217,7 +217,7 @@ fn geared(table: &Values, found: &mut Vec<Diagnostic>) {
     let (by, stages) = ("[[supports.slewing_drive.stages]]", !table.tables("stages").is_empty());
     for (symbol, example) in [(&s::I_SL, "640"), (&s::ETA_SL, "85 %")] {
         let id = symbol.id;
-        let (what, label, help) = match (stages, table.has(id)) {
+        let (what, label, help) = match (stages, table.stands(id)) {
             (false, false) => (
                 format!("`{id}` is missing in [supports.slewing_drive]"),
                 "a gear without it".to_owned(),

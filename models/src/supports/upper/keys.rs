@@ -60,7 +60,7 @@ pub fn rig(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<Give
     let rig = GivenCrane::read(v, ("supports", &[s::THETA_1.id, s::H_1.id]), gravity, false, found);
     let Some(slope) = v.table("slope") else { return rig };
     let (hook, foot) = (s::H_Q.id, s::H_1.id);
-    let refused = match (v.has(CARRIED.name), slope.has(hook), v.has(foot)) {
+    let refused = match (v.has(CARRIED.name), slope.stands(hook), v.stands(foot)) {
         // Of one that cannot be read it has been told.
         (false, false, _) if found.is_empty() => {
             let help = "add h_Q = \"22 m\", the height above the slewing support from which the load hangs";
