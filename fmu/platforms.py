@@ -12,6 +12,7 @@ QEMU 7.2, and with the Windows library under Wine 8.0, which lacks
 bcryptprimitives.dll and was given one. Not run: real Windows, real aarch64.
 """
 
+import json
 import os
 import re
 import shutil
@@ -26,8 +27,12 @@ PLATFORMS = {
     "aarch64-linux": ("aarch64-unknown-linux-gnu", ".2.17", "liblemnis_fmu.so"),
     "x86_64-windows": ("x86_64-pc-windows-gnu", "", "lemnis_fmu.dll"),
 }
-# A target of Rust that is not there and cannot be fetched.
+# Exit code where a target of Rust is not there and cannot be fetched.
 NO_TARGET = 3
+
+
+class Absent(Exception):
+    """A target of Rust that is not there and cannot be fetched."""
 
 
 def glibc(library):
@@ -35,7 +40,14 @@ def glibc(library):
     return {tuple(map(int, version)) for version in re.findall(rb"GLIBC_(\d+)\.(\d+)", library)}
 
 
-def build(platform, folder):
+def exports():
+    """The names of the functions of both standards."""
+    files = sorted((ROOT / "fmu/src/abi").glob("fmi*.rs"))
+    return [name for file in files for name in re.findall(r"\bfn (fmi[23][A-Z]\w+)", file.read_text(encoding="utf-8"))]
+
+
+def build(platform, folder, profile="release"):
+    """Puts the library of a platform into its folder of `folder`; `Absent`, where the machine cannot make it."""
     target, glibc, name = PLATFORMS[platform]
     # The tools of pip lie beside the interpreter of their environment.
     environment = dict(os.environ, PATH=f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}")
@@ -45,15 +57,21 @@ def build(platform, folder):
     if not Path(sysroot.strip(), "lib/rustlib", target, "lib").is_dir():
         rustup = shutil.which("rustup")
         if rustup is None or subprocess.run([rustup, "target", "add", target], cwd=ROOT).returncode != 0:
-            print(f"{platform} was not built: `rustup target add {target}` failed", file=sys.stderr)
-            sys.exit(NO_TARGET)
+            raise Absent(f"{platform} was not built: `rustup target add {target}` failed")
     # A folder of its own: another selection of packages would disturb the workspace's build.
     built = ROOT / "target/platforms"
-    subprocess.run(["cargo", "zigbuild", "--release", "--quiet", "--package", "lemnis-fmu", "--lib",
-                    "--target", target + glibc, "--target-dir", str(built)], check=True, cwd=ROOT, env=environment)
+    command = ["cargo", "zigbuild", "--profile", profile, "--quiet", "--package", "lemnis-fmu", "--lib",
+               "--target", target + glibc, "--target-dir", str(built)]
+    if "windows" in target:
+        # cargo-zigbuild leaves out the compiler's list of exported names, and without one the linker exports every name there is.
+        built.mkdir(parents=True, exist_ok=True)
+        names = built / "lemnis_fmu.def"
+        names.write_text("EXPORTS\n" + "".join(f"    {name}\n" for name in exports()), encoding="utf-8")
+        command += ["--config", f"target.{target}.rustflags = {json.dumps(['-C', f'link-arg={names}'])}"]
+    subprocess.run(command, check=True, cwd=ROOT, env=environment)
     place = folder / platform
     place.mkdir(parents=True, exist_ok=True)
-    shutil.copyfile(built / target / "release" / name, place / name)
+    shutil.copyfile(built / target / profile / name, place / name)
     print(f"wrote {place / name}")
 
 
@@ -62,4 +80,8 @@ if __name__ == "__main__":
     for platform in chosen or PLATFORMS:
         if platform not in PLATFORMS:
             sys.exit(f"{platform} is not one of {', '.join(PLATFORMS)}")
-        build(platform, Path(folder))
+        try:
+            build(platform, Path(folder))
+        except Absent as absent:
+            print(absent, file=sys.stderr)
+            sys.exit(NO_TARGET)
