@@ -84,7 +84,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     let place = n.draw.rng.usize(0..SCHEMES.len());
     n.put("scheme", SCHEMES[place]);
     let scheme = Scheme::ALL[place];
-    n.remove(&["k", "k_b", "T_0", "G_a"]);
+    n.remove(&["k", "k_b", "T_0", "G_a", "F_ba", "z_a"]);
     let natural = [("k", 4.0), ("k_b", 1.5), ("T_0", weight), ("G_a", weight)];
     for (name, about) in natural {
         let of_it = match name {
@@ -95,6 +95,14 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
         if of_it {
             let value = about * n.draw.between(0.2, 2.0);
             n.set(name, value);
+        }
+    }
+    if scheme == Scheme::AuxiliaryTrolley && n.draw.rng.bool() {
+        let breaks = weight * n.draw.between(1.0, 10.0);
+        n.set("F_ba", breaks);
+        if n.draw.rng.bool() {
+            let ropes = f64::from(n.draw.rng.u32(1..9));
+            n.set("z_a", ropes);
         }
     }
     drums(&mut n, scheme.drums());

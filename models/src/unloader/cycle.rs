@@ -5,11 +5,11 @@ use crate::kernel::calc::{Among, Calc, sum};
 use crate::kernel::group::{One, quantities};
 use crate::kernel::variable::Fault;
 use crate::parts::travel::{along, at_motor, sense};
-use crate::unloader::motors::at_ropes;
+use crate::unloader::motors::{at_ropes, turning};
 use crate::unloader::reeving::{Reeving, Scheme};
 use crate::unloader::ropes::{RopeDrum, SlackRope, driven, tensions};
 use crate::unloader::symbols as s;
-use crate::unloader::trolley::{AuxiliaryTrolley, GrabTrolley, auxiliary, parts};
+use crate::unloader::trolley::{AuxiliaryRope, AuxiliaryTrolley, GrabTrolley, auxiliary, parts};
 
 quantities! {
     /// A phase: duration (s), speeds (m/s) and acceleration (m/s²), contents, part of the closing ropes.
@@ -17,7 +17,7 @@ quantities! {
 }
 
 /// A phase: weight (N), force that the trolley asks for and at its drive, tensions of its ropes, pulls of hoisting and closing
-/// drums (N), least safety of a rope, powers of the motors (W).
+/// drums (N), least safety of a rope, powers of the motors (W), and for how long they turn (s).
 #[derive(Clone, Copy, Debug)]
 pub struct PhaseForces<C> {
     weight: C,
@@ -27,6 +27,7 @@ pub struct PhaseForces<C> {
     pulls: [C; 2],
     safety: C,
     powers: [C; 3],
+    lasts: [C; 3],
 }
 results! { each PhaseForces as p => {
     W_P: p.weight;
@@ -40,6 +41,9 @@ results! { each PhaseForces as p => {
     P_HP: p.powers[0];
     P_CP: p.powers[1];
     P_TP: p.powers[2];
+    T_HP: p.lasts[0];
+    T_CP: p.lasts[1];
+    T_TP: p.lasts[2];
 } }
 
 impl<C: Calc> PhaseForces<C> {
@@ -50,6 +54,7 @@ impl<C: Calc> PhaseForces<C> {
         gravity: &One<C>,
         slack: &Option<SlackRope<C>>,
         aux: &Option<AuxiliaryTrolley<C>>,
+        own_rope: &Option<AuxiliaryRope<C>>,
         drums: &[RopeDrum<C>],
         phase: &GrabPhase<C>,
     ) -> PhaseForces<C> {
@@ -75,10 +80,13 @@ impl<C: Calc> PhaseForces<C> {
         ];
         let own = Some((2, most)).filter(|_| reeving.scheme != Scheme::Planetary);
         let pairs = [(places[0], pulls[0]), (places[1], pulls[1])].into_iter().chain(own);
-        let safety = pairs.filter(|(_, pull)| pull.value() > 0.0).map(|(at, pull)| {
+        let of_drums = pairs.map(|(at, pull)| {
             let named = |value: C| value.among(Among::Of(at as u16 + 1), value);
-            named(drums[at].f_b) * named(drums[at].z_r) / pull
+            (named(drums[at].f_b) * named(drums[at].z_r), pull)
         });
+        let of_half = own_rope.zip(half).map(|(rope, force)| (rope.f_b * rope.z, weight.scaled(2.0) - force));
+        let ropes = of_drums.chain(of_half).filter(|(_, pull)| pull.value() > 0.0);
+        let safety = ropes.map(|(breaks, pull)| breaks / pull);
         let speeds = [phase.v_h, phase.v_c, phase.v_t];
         let found = at_ropes(reeving.scheme, speeds, [weight, phase.lambda, drive]);
         let names = [&s::P_HP, &s::P_CP, &s::P_TP];
@@ -93,6 +101,7 @@ impl<C: Calc> PhaseForces<C> {
                 None => C::known(&s::NU_P, f64::INFINITY).over(weight),
             },
             powers: std::array::from_fn(|i| at_motor(found[i], unit.eta_d).def(names[i])),
+            lasts: lasting(phase.t, turning(reeving.scheme, speeds)),
         }
     }
 
@@ -111,7 +120,17 @@ impl<C: Calc> PhaseForces<C> {
     }
 }
 
-/// The cycle: time (s), rate (kg/s), greatest weight (N), load spectrum, root mean squares of the motors' powers (W).
+/// For how long each motor turns, with the duration of a phase and the motors' speeds.
+fn lasting<C: Calc>(time: C, speeds: [C; 3]) -> [C; 3] {
+    let names = [&s::T_HP, &s::T_CP, &s::T_TP];
+    std::array::from_fn(|i| {
+        let own = if speeds[i].value() == 0.0 { C::constant(0.0) } else { time };
+        own.over(speeds[i]).def(names[i])
+    })
+}
+
+/// The cycle: time (s), rate (kg/s), greatest weight (N), load spectrum, root mean squares of the motors' powers (W), and the
+/// part of the time for which they turn.
 #[derive(Clone, Copy, Debug)]
 pub struct GrabDuty<C> {
     time: C,
@@ -119,6 +138,7 @@ pub struct GrabDuty<C> {
     most: C,
     spectrum: C,
     powers: [C; 3],
+    turning: [C; 3],
 }
 results! { GrabDuty as d => {
     T_CYC: d.time;
@@ -128,10 +148,13 @@ results! { GrabDuty as d => {
     P_H_RMS: d.powers[0];
     P_C_RMS: d.powers[1];
     P_T_RMS: d.powers[2];
+    ED_H: d.turning[0];
+    ED_C: d.turning[1];
+    ED_T: d.turning[2];
 } }
 
 impl<C: Calc> GrabDuty<C> {
-    /// K_p = Σ (t/t_cyc)(W/W_max)³, P_rms = √(Σ P² t/t_cyc). [Ports001, 5.9.1]
+    /// K_p = Σ (t/t_cyc)(W/W_max)³, P_rms = √(Σ P² t/t_cyc), ED = Σ t_turns/t_cyc. [Ports001, 5.9.1]
     ///
     /// # Errors
     /// A phase with a slack rope.
@@ -169,6 +192,10 @@ impl<C: Calc> GrabDuty<C> {
             most,
             spectrum: spectrum.def(&s::K_P),
             powers,
+            turning: std::array::from_fn(|i| {
+                let names = [&s::ED_H, &s::ED_C, &s::ED_T];
+                (sum(found.iter().map(|phase| phase.lasts[i])) / time).def(names[i])
+            }),
         })
     }
 }

@@ -14,17 +14,23 @@ quantities! {
     DynamicFactor { phi_min: PHI_2_MIN, beta: BETA_2 }
 }
 
-/// Powers at the ropes of hoisting, closing and travelling, in W: with speeds of hoisting, closing and travelling (m/s), the
-/// weight (N) with the part of it on the closing ropes, and the force of the trolley's drive (N). [Ports001, 5.9]
-pub fn at_ropes<C: Calc>(scheme: Scheme, [hoist, close, travel]: [C; 3], [weight, share, drive]: [C; 3]) -> [C; 3] {
+/// Speeds at the ropes of the motors of hoisting, closing and travelling, with those of grab and trolley; m/s.
+pub fn turning<C: Calc>(scheme: Scheme, [hoist, close, travel]: [C; 3]) -> [C; 3] {
     let grab = match scheme {
         // Their drums go with the trolley.
         Scheme::Simple => hoist - travel,
         _ => hoist,
     };
+    [grab, grab + close, travel]
+}
+
+/// Powers at the ropes of hoisting, closing and travelling, in W: with speeds of hoisting, closing and travelling (m/s), the
+/// weight (N) with the part of it on the closing ropes, and the force of the trolley's drive (N). [Ports001, 5.9]
+pub fn at_ropes<C: Calc>(scheme: Scheme, speeds: [C; 3], [weight, share, drive]: [C; 3]) -> [C; 3] {
+    let [grab, close, travel] = turning(scheme, speeds);
     [
         (C::constant(1.0) - share) * weight * grab,
-        share * weight * (grab + close),
+        share * weight * close,
         drive * travel,
     ]
 }

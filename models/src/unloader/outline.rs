@@ -41,7 +41,7 @@ pub const OUTLINE: Outline = Outline {
         Greatest::new(&s::P_CIRC_MAX, Most::Greatest, &s::P_CIRC),
         Greatest::new(&s::NU_MIN, Most::Least, &s::NU_P),
     ],
-    summary: listed!(s: T_CYC, Q_CYC, K_P, P_H_RMS, P_C_RMS, P_T_RMS),
+    summary: listed!(s: T_CYC, Q_CYC, K_P, P_H_RMS, P_C_RMS, P_T_RMS, ED_H, ED_C, ED_T),
     sensitivity: listed!(s: S_MAX, T_MIN, NU_MIN, K_P),
     limits: &[
         Limit::not_negative("unloader_slack", &s::T_MIN),

@@ -35,7 +35,7 @@ use crate::unloader::stages::{Given, GrabUnloader};
 use crate::unloader::sway::{GrabPlace, GrabWay};
 use crate::unloader::symbols as s;
 use crate::unloader::tables::{DRUMS, apart_of, each, modes};
-use crate::unloader::trolley::{AuxiliaryTrolley, GrabCommand, GrabTrolley};
+use crate::unloader::trolley::{AuxiliaryRope, AuxiliaryTrolley, GrabCommand, GrabTrolley};
 
 /// Fewest phases of a cycle: a grab closes, rises and travels, empties itself, comes back; and the most.
 const PHASES: [usize; 2] = [4, 32];
@@ -50,7 +50,7 @@ pub const KEYS: &[Key] = keys! { s:
     G_G > 0 [or_mass], Q_N > 0 [or_mass], G_T > 0 [or_mass], V_H [over_time, usually(0.0)], V_C [usually(0.0)], K_Q >= 0 [usually(1.0)],
     LAMBDA_C >= 0 [usually(0.5)], MU_T >= 0 [usually(0.008)], P_W >= 0 [usually(0.0)], A_W >= 0 [usually(0.0)],
     ETA_R > 0 [usually(0.98)], ETA_D > 0 [usually(1.0)], PHI_2_MIN > 0 [usually(1.1)], BETA_2 >= 0 [usually(0.34)],
-    T_0 > 0 [optional], G_A > 0 [or_mass, optional], K > 0 [optional], K_B > 0 [optional], A_T [over_time, optional],
+    T_0 > 0 [optional], G_A > 0 [or_mass, optional], F_BA > 0 [optional], Z_A > 0 [optional], K > 0 [optional], K_B > 0 [optional], A_T [over_time, optional],
     X_T [optional], PHI_R [optional], ZETA_F >= 0 [optional];
     Key::new(
         "scheme",
@@ -112,14 +112,16 @@ pub struct UnloaderScene {
 /// As scenes describe it.
 pub const ENTRY: Entry = Description::<UnloaderScene>::entry("grab_unloader", KEYS);
 
-/// Quantities that some schemes need and others have no use for, with what they are.
-fn needs(scheme: Scheme) -> [(&'static Symbol, bool); 4] {
-    let planetary = scheme == Scheme::Planetary;
+/// Quantities of some schemes: whether this one needs them, and whether it has a use for them.
+fn needs(scheme: Scheme) -> [(&'static Symbol, [bool; 2]); 6] {
+    let (planetary, auxiliary) = (scheme == Scheme::Planetary, scheme == Scheme::AuxiliaryTrolley);
     [
-        (&s::K, planetary),
-        (&s::K_B, planetary),
-        (&s::T_0, !planetary),
-        (&s::G_A, scheme == Scheme::AuxiliaryTrolley),
+        (&s::K, [planetary; 2]),
+        (&s::K_B, [planetary; 2]),
+        (&s::T_0, [!planetary; 2]),
+        (&s::G_A, [auxiliary; 2]),
+        (&s::F_BA, [false, auxiliary]),
+        (&s::Z_A, [false, auxiliary]),
     ]
 }
 
@@ -129,10 +131,10 @@ fn suits(v: &Values, scheme: Scheme, found: &mut Vec<Diagnostic>) {
     let name = v.text("scheme").unwrap_or_default();
     // What could not be read is not missing.
     let read = found.is_empty();
-    for (symbol, needed) in needs(scheme) {
+    for (symbol, [needed, used]) in needs(scheme) {
         let id = symbol.id;
-        match (needed, v.has(id)) {
-            (true, false) if read => {
+        match (needed, used, v.has(id)) {
+            (true, _, false) if read => {
                 let what = format!("`{id}` is missing of scheme = \"{name}\"");
                 found.push(v.refuse(
                     "scheme",
@@ -141,7 +143,7 @@ fn suits(v: &Values, scheme: Scheme, found: &mut Vec<Diagnostic>) {
                     format!("add {id}: {}", symbol.text),
                 ));
             }
-            (false, true) => {
+            (_, false, true) => {
                 let what = format!("`{id}` of scheme = \"{name}\"");
                 found.push(v.refuse(id, what, "not used", "remove it, or choose another scheme"));
             }
@@ -161,6 +163,11 @@ fn suits(v: &Values, scheme: Scheme, found: &mut Vec<Diagnostic>) {
         found.push(v.refuse("drums", what, label, help));
     }
     found.extend(drums.iter().filter_map(|drum| drum.broken(&s::Z_R)));
+    found.extend(v.broken(&s::Z_A));
+    if v.has(s::Z_A.id) && !v.has(s::F_BA.id) {
+        let help = "add F_ba, the least breaking force of one, or remove it";
+        found.push(v.refuse(s::Z_A.id, "`z_a` without `F_ba`", "of ropes that are not judged", help));
+    }
     let phases = v.tables("phases");
     if phases.len() < PHASES[0] {
         let what = format!("a cycle of {} phases", phases.len());
@@ -223,6 +230,10 @@ impl Described for UnloaderScene {
             gravity: One(&s::G, gravity),
             slack: SlackRope::read(v),
             aux: AuxiliaryTrolley::read(v),
+            own_rope: v.number(s::F_BA.id).map(|f_b| AuxiliaryRope {
+                f_b,
+                z: v.number(s::Z_A.id).unwrap_or(1.0),
+            }),
             set: PlanetarySet::read(v),
             drums: v.tables("drums").iter().map(RopeDrum::read).collect::<Option<_>>()?,
             dynamic: DynamicFactor::read(v)?,

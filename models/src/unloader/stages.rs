@@ -12,7 +12,7 @@ use crate::unloader::reeving::Reeving;
 use crate::unloader::ropes::{DrumRun, RopeDrum, SlackRope, TrolleyRopes, drums_turn};
 use crate::unloader::sway::{GrabPlace, GrabTravel, GrabWay, SwayOnWay, answer, damped, swung, travels};
 use crate::unloader::symbols as s;
-use crate::unloader::trolley::{AuxiliaryRun, AuxiliaryTrolley, GrabCommand, GrabTrolley, TrolleyForces, hanging};
+use crate::unloader::trolley::{AuxiliaryRope, AuxiliaryRun, AuxiliaryTrolley, GrabCommand, GrabTrolley, TrolleyForces, hanging};
 
 stages! {
     /// A grab unloader.
@@ -24,6 +24,7 @@ stages! {
         Parameter gravity: One<C>,
         Parameter slack: Option<SlackRope<C>>,
         Parameter aux: Option<AuxiliaryTrolley<C>>,
+        Parameter own_rope: Option<AuxiliaryRope<C>>,
         Parameter set: Option<PlanetarySet<C>>,
         Parameter drums: Vec<RopeDrum<C>>,
         Parameter dynamic: DynamicFactor<C>,
@@ -35,7 +36,7 @@ stages! {
         Fixed reeving: Reeving,
     } find {
         worked[each phases]: Vec<PhaseForces<C>> =
-            PhaseForces::new(reeving, unit, gravity, slack, aux, drums, phases[each]);
+            PhaseForces::new(reeving, unit, gravity, slack, aux, own_rope, drums, phases[each]);
         duty: GrabDuty<C> = GrabDuty::new(unit, gravity, phases, worked);
         on_way: SwayOnWay<C> = SwayOnWay::new(way[!], swaying[!], gravity);
         damped: Damped<C> = damped(feedback[!], on_way);

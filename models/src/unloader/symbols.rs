@@ -25,6 +25,8 @@ symbols! {
     ETA_D: "eta_d" "eta_\"d\"" ONE / ONE [above_to(0.0, 1.0)], "Efficiency between motor and rope.", "input";
     T_0: "T_0" "T_0" N / KN [positive], "Tension of the trolley's slack rope, by its permitted sag.", "input";
     G_A: "G_a" "G_\"a\"" N / KN [positive], "Weight of the auxiliary trolley.", "input";
+    F_BA: "F_ba" "F_\"ba\"" N / KN [positive], "Least breaking force of a rope of the auxiliary trolley.", "input";
+    Z_A: "z_a" "z_\"a\"" ONE / ONE [within(Range::new(1.0, 16.0))], "Number of the auxiliary trolley's own ropes.", "input";
     D_D: "d_d" "d_i" M / M [positive], "Diameter of a drum, to the middle of its rope.", "input";
     Z_R: "z_r" "z_i" ONE / ONE [within(Range::new(1.0, 16.0))], "Number of ropes that a drum winds; of the trolley's drum to each side.", "input";
     F_B: "F_b" "F_(\"b\" i)" N / KN [positive], "Least breaking force of a rope of a drum.", "input";
@@ -120,6 +122,10 @@ symbols! {
     P_CP: "P_cp" "P_(\"c\" i)" W / KW, "Power of the closing motor in a phase.", "[Ports001, 5.9]";
     P_TP: "P_tp" "P_(\"t\" i)" W / KW, "Power of the travel motor in a phase.", "[Ports001, 5.9]";
 
+    T_HP: "t_hp" "t_(\"h\" i)" S / S [not_negative], "Time for which the hoisting motor turns in a phase.", "derived";
+    T_CP: "t_cp" "t_(\"c\" i)" S / S [not_negative], "Time for which the closing motor turns in a phase.", "derived";
+    T_TP: "t_tp" "t_(\"t\" i)" S / S [not_negative], "Time for which the travel motor turns in a phase.", "derived";
+
     // The cycle.
     T_CYC: "t_cyc" "t_\"cyc\"" S / S, "Time of a cycle.", "derived";
     Q_CYC: "q_cyc" "q" KG_PER_S / T_PER_H, "Rate of the unloader: a full load in each cycle.", "derived";
@@ -128,6 +134,9 @@ symbols! {
     P_H_RMS: "P_h_rms" "P_(\"h\",\"rms\")" W / KW, "Root mean square of the hoisting motor's power over the cycle.", "[Ports001, 5.9.1]";
     P_C_RMS: "P_c_rms" "P_(\"c\",\"rms\")" W / KW, "Root mean square of the closing motor's power over the cycle.", "[Ports001, 5.9.1]";
     P_T_RMS: "P_t_rms" "P_(\"t\",\"rms\")" W / KW, "Root mean square of the travel motor's power over the cycle.", "[Ports001, 5.9.1]";
+    ED_H: "ED_h" "\"ED\"_\"h\"" ONE / PERCENT [from_to(0.0, 1.0)], "Cyclic duration factor of the hoisting motor: part of the cycle for which it turns.", "[Ports001, 5.9.1]";
+    ED_C: "ED_c" "\"ED\"_\"c\"" ONE / PERCENT [from_to(0.0, 1.0)], "Cyclic duration factor of the closing motor: part of the cycle for which it turns.", "[Ports001, 5.9.1]";
+    ED_T: "ED_t" "\"ED\"_\"t\"" ONE / PERCENT [from_to(0.0, 1.0)], "Cyclic duration factor of the travel motor: part of the cycle for which it turns.", "[Ports001, 5.9.1]";
 
     // The whole range.
     S_MAX: "S_max" "S_max" N / KN, "Greatest pull in the ropes of a drum in the working range.", "derived";

@@ -22,6 +22,11 @@ quantities! {
     AuxiliaryTrolley { g_a: G_A }
 }
 
+quantities! {
+    /// Its own rope: least breaking force (N), and how many they are.
+    AuxiliaryRope { f_b: F_BA, z: Z_A }
+}
+
 /// W = G_g + k_Q Q_n, in N.
 pub fn hanging<C: Calc>(unit: &GrabTrolley<C>, command: &GrabCommand<C>) -> C {
     (unit.g_g + command.k_q * unit.q_n).def(&s::W)
