@@ -76,7 +76,7 @@ def written(folder, scheme):
         lines = [line for line in lines if not line.startswith(("k   ", "k_b"))]
         at = next(i for i, line in enumerate(lines) if "closing, land side" in line)
         del lines[at:at + 3]
-        own = ['T_0 = "20 kN"'] + ['G_a = "5 t"', 'F_ba = "400 kN"', 'z_a = "4"'] * (scheme == "auxiliary_trolley")
+        own = ['T_0 = "20 kN"'] + ['G_a = "5 t"', 'F_ba = "300 kN"', 'z_a = "4"'] * (scheme == "auxiliary_trolley")
         at = next(i for i, line in enumerate(lines) if line.startswith("eta_d"))
         text = "\n".join([*lines[:at], *own, *lines[at:]])
     path = folder / f"Grab_{scheme}.toml"
@@ -175,6 +175,7 @@ def test_a_rope_gets_slack_at_an_event(fmus, standard):
 def test_the_cycle_by_hand(scheme, tmp_path):
     """Load spectrum, root mean squares, cyclic duration factors and rope safety of the scene, phase by phase."""
     path = written(tmp_path, scheme)
+    path.write_text(path.read_text(encoding="utf-8").split("[grab_unloader.limits]")[0], encoding="utf-8")
     phases = tomllib.loads(path.read_text(encoding="utf-8"))["grab_unloader"]["phases"]
     number = lambda phase, name: float(str(phase.get(name, "0")).split()[0])
     spectrum, powers, turning, safety, lasts = 0.0, np.zeros(3), np.zeros(3), math.inf, 0.0
@@ -189,13 +190,13 @@ def test_the_cycle_by_hand(scheme, tmp_path):
         # The differentials' suns turn with hoisting and closing; else the motors turn as their drums do.
         speeds = [told[2], told[2] + told[3], told[0]] if scheme == "planetary" else [found[f"v_r[{i}]"] for i in (1, 2, 3)]
         turning += time * (np.array(speeds) != 0.0)
-        pulls = [(850e3, found[f"S_r[{i}]"]) for i in range(1, 5) if f"S_r[{i}]" in found] + [(4 * 400e3, found.get("T_aux", 0.0))]
+        pulls = [(850e3, found[f"S_r[{i}]"]) for i in range(1, 5) if f"S_r[{i}]" in found] + [(4 * 300e3, found.get("T_aux", 0.0))]
         safety = min(safety, *(breaks / pull for breaks, pull in pulls if pull > 0))
-    printed = lemnis("check", path, expect=None)
+    printed = lemnis("check", path)
     wanted = {"k_p": spectrum / lasts, "nu_min": safety, "q_cyc": LOAD / lasts * 3.6}
     wanted |= dict(zip(("P_h_rms", "P_c_rms", "P_t_rms"), np.sqrt(powers / lasts) / 1e3))
     wanted |= dict(zip(("ED_h", "ED_c", "ED_t"), turning / lasts * 100))
-    assert 0.0 < min(turning) and max(turning) < lasts
+    assert 0.0 < min(turning) and max(turning) <= lasts
     for name, value in wanted.items():
         line = next(line for line in printed.splitlines() if line.split()[:1] == [name])
         assert float(line.split()[1]) == pytest.approx(value, rel=1e-5), name

@@ -3,6 +3,7 @@
 use crate::component::stages::results;
 use crate::kernel::calc::{Among, Calc, sum};
 use crate::kernel::group::{One, quantities};
+use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::Fault;
 use crate::parts::travel::{along, at_motor, sense};
 use crate::unloader::motors::{at_ropes, turning};
@@ -84,7 +85,9 @@ impl<C: Calc> PhaseForces<C> {
             let named = |value: C| value.among(Among::Of(at as u16 + 1), value);
             (named(drums[at].f_b) * named(drums[at].z_r), pull)
         });
-        let of_half = own_rope.zip(half).map(|(rope, force)| (rope.f_b * rope.z, weight.scaled(2.0) - force));
+        let of_half = own_rope
+            .zip(half)
+            .map(|(rope, force)| (rope.f_b * rope.z, weight.scaled(2.0) - force));
         let ropes = of_drums.chain(of_half).filter(|(_, pull)| pull.value() > 0.0);
         let safety = ropes.map(|(breaks, pull)| breaks / pull);
         let speeds = [phase.v_h, phase.v_c, phase.v_t];
@@ -120,12 +123,18 @@ impl<C: Calc> PhaseForces<C> {
     }
 }
 
+/// Names of the times for which the motors turn.
+const LASTS: [&Symbol; 3] = [&s::T_HP, &s::T_CP, &s::T_TP];
+
 /// For how long each motor turns, with the duration of a phase and the motors' speeds.
 fn lasting<C: Calc>(time: C, speeds: [C; 3]) -> [C; 3] {
-    let names = [&s::T_HP, &s::T_CP, &s::T_TP];
     std::array::from_fn(|i| {
-        let own = if speeds[i].value() == 0.0 { C::constant(0.0) } else { time };
-        own.over(speeds[i]).def(names[i])
+        let own = if speeds[i].value() == 0.0 {
+            C::constant(0.0)
+        } else {
+            time
+        };
+        own.over(speeds[i]).def(LASTS[i])
     })
 }
 
@@ -194,7 +203,7 @@ impl<C: Calc> GrabDuty<C> {
             powers,
             turning: std::array::from_fn(|i| {
                 let names = [&s::ED_H, &s::ED_C, &s::ED_T];
-                (sum(found.iter().map(|phase| phase.lasts[i])) / time).def(names[i])
+                (sum(found.iter().map(|phase| phase.lasts[i].tabled(LASTS[i]))) / time).def(names[i])
             }),
         })
     }

@@ -41,7 +41,7 @@ use crate::unloader::trolley::{AuxiliaryRope, AuxiliaryTrolley, GrabCommand, Gra
 const PHASES: [usize; 2] = [4, 32];
 
 /// Numbered results that the book shows of all phases, of all drums, and of their differentials.
-const PHASE_COLUMNS: &[&Symbol] = listed!(s: W_P, T_1P, T_2P, S_HP, S_CP, NU_P, P_HP, P_CP, P_TP);
+const PHASE_COLUMNS: &[&Symbol] = listed!(s: W_P, T_1P, T_2P, S_HP, S_CP, NU_P, P_HP, P_CP, P_TP, T_HP, T_CP, T_TP);
 const DRUM_COLUMNS: &[&Symbol] = listed!(s: V_R, N_D, S_R, F_I, M_D, P_D);
 const SET_COLUMNS: &[&Symbol] = listed!(s: N_S, N_R, N_D, T_S, T_R, P_S, P_R, P_D, N_DS, N_DR);
 

@@ -12,7 +12,9 @@ use crate::unloader::reeving::Reeving;
 use crate::unloader::ropes::{DrumRun, RopeDrum, SlackRope, TrolleyRopes, drums_turn};
 use crate::unloader::sway::{GrabPlace, GrabTravel, GrabWay, SwayOnWay, answer, damped, swung, travels};
 use crate::unloader::symbols as s;
-use crate::unloader::trolley::{AuxiliaryRope, AuxiliaryRun, AuxiliaryTrolley, GrabCommand, GrabTrolley, TrolleyForces, hanging};
+use crate::unloader::trolley::{
+    AuxiliaryRope, AuxiliaryRun, AuxiliaryTrolley, GrabCommand, GrabTrolley, TrolleyForces, hanging,
+};
 
 stages! {
     /// A grab unloader.
