@@ -10,7 +10,8 @@ use crate::component::running::Running;
 use crate::component::standing::{Standing, VariablePlace};
 use crate::kernel::variable::{Name, Quantity, Role, TIME};
 use crate::luffing::moving::brakes::Braking;
-use crate::luffing::moving::carried::{at, put};
+use crate::luffing::moving::carried::{at, known, put, regulators};
+use crate::luffing::moving::control::continuous::Laws;
 use crate::luffing::moving::given::L_R;
 use crate::luffing::moving::hydraulic::{FIXED, Modes};
 use crate::luffing::moving::level::CraneAt;
@@ -86,6 +87,23 @@ fn lively(luffing: &LuffingGiven, now: &CraneAt) -> Vec<CraneAt> {
     found
 }
 
+/// What controllers that are not sampled may do: set points at rest and on their way, and all that the limit may do with the
+/// integral; `None` where there are none.
+fn regimes(laws: Option<Laws>) -> impl Iterator<Item = Option<Laws>> {
+    const WAYS: [[f64; 2]; 4] = [[0.0, 0.0], [1.0, 1.0], [-1.0, 2.0], [1.0, 3.0]];
+    let none = laws.is_none().then_some(None);
+    let all = laws.into_iter().flat_map(|laws| {
+        WAYS.map(|[way, hold]| {
+            let mut laws = laws;
+            for past in laws.past.0.iter_mut().flatten() {
+                (past.way, past.hold) = (way, hold);
+            }
+            Some(laws)
+        })
+    });
+    none.into_iter().chain(all)
+}
+
 /// What stands in the present position alone, as of a crane at rest.
 fn at_rest<T: Luffs>(model: &MovingComponent) -> Standing {
     let moving = model.standing();
@@ -146,8 +164,13 @@ pub fn follows<T: Luffs>(model: &MovingComponent) -> Vec<BTreeSet<Name>> {
         .map(name)
         .collect();
     let now = at::<T>(lively_model.parts().0);
-    for at in lively(&luffing, &now) {
-        put::<T>(lively_model.parts().0, &at);
+    let laws = regulators::<T>(lively_model.parts().0).map(|all| all.laws);
+    let all = lively(&luffing, &now);
+    for (at, laws) in all.iter().flat_map(|at| regimes(laws).map(move |laws| (at, laws))) {
+        put::<T>(lively_model.parts().0, at);
+        if let Some(laws) = laws {
+            T::put_laws(known::<T>(lively_model.parts().0), laws);
+        }
         if !follows_more(&lively_model, &moving, &givens, &found) {
             continue;
         }
