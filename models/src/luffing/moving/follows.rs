@@ -87,21 +87,20 @@ fn lively(luffing: &LuffingGiven, now: &CraneAt) -> Vec<CraneAt> {
     found
 }
 
-/// What controllers that are not sampled may do: set points at rest and on their way, and all that the limit may do with the
-/// integral; `None` where there are none.
-fn regimes(laws: Option<Laws>) -> impl Iterator<Item = Option<Laws>> {
-    const WAYS: [[f64; 2]; 4] = [[0.0, 0.0], [1.0, 1.0], [-1.0, 2.0], [1.0, 3.0]];
-    let none = laws.is_none().then_some(None);
-    let all = laws.into_iter().flat_map(|laws| {
-        WAYS.map(|[way, hold]| {
-            let mut laws = laws;
-            for past in laws.past.0.iter_mut().flatten() {
-                (past.way, past.hold) = (way, hold);
-            }
-            Some(laws)
-        })
-    });
-    none.into_iter().chain(all)
+/// Of lively states one in so many has other regimes of controllers too: as it has no divisor in common with the ways of moving,
+/// every one of these is among them.
+const REGIMES_EACH: usize = 7;
+
+/// What controllers that are not sampled may do besides having set points at rest and moments within their limits: set points on
+/// their way, and all that the limit does with the integral.
+fn regimes(laws: Laws) -> [Laws; 3] {
+    [[1.0, 1.0], [-1.0, 2.0], [1.0, 3.0]].map(|[way, hold]| {
+        let mut laws = laws;
+        for past in laws.past.0.iter_mut().flatten() {
+            (past.way, past.hold) = (way, hold);
+        }
+        laws
+    })
 }
 
 /// What stands in the present position alone, as of a crane at rest.
@@ -166,7 +165,10 @@ pub fn follows<T: Luffs>(model: &MovingComponent) -> Vec<BTreeSet<Name>> {
     let now = at::<T>(lively_model.parts().0);
     let laws = regulators::<T>(lively_model.parts().0).map(|all| all.laws);
     let all = lively(&luffing, &now);
-    for (at, laws) in all.iter().flat_map(|at| regimes(laws).map(move |laws| (at, laws))) {
+    let within = all.iter().map(|at| (at, laws));
+    let others = laws.into_iter().flat_map(regimes);
+    let others = others.flat_map(|laws| all.iter().step_by(REGIMES_EACH).map(move |at| (at, Some(laws))));
+    for (at, laws) in within.chain(others) {
         put::<T>(lively_model.parts().0, at);
         if let Some(laws) = laws {
             T::put_laws(known::<T>(lively_model.parts().0), laws);

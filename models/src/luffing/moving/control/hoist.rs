@@ -30,10 +30,10 @@ symbols! {
     M_INH: "M_inh" "M_\"i,n h\"" N_M / KN_M, "Integral part of the moment after this sample, unless the limit holds it.", "derived";
     M_NH: "M_nh" "M_\"n h\"" N_M / KN_M, "Moment of the hoist motor from this sample to the next.", "derived";
     V_R_H: "v_rh" "v_\"r h\"" M_PER_S / M_PER_S, "Set point of the continuous hoist controller.", "derived";
-    EPSILON_H: "epsilon_h" "epsilon_\"h\"" M / M, "Integral of the error of the rope's speed, as the continuous hoist controller has it.", "derived";
+    EPSILON_H: "epsilon_rh" "epsilon_\"r h\"" M / M, "Integral of the error of the rope's speed, as the continuous hoist controller has it.", "derived";
     E_R_H: "e_rh" "e_\"r h\"" M_PER_S / M_PER_S, "Error of the rope's speed: speed less set point of the continuous controller; positive where the load is to be lifted faster.", "derived";
     D_V_R_H: "der(v_rh)" "dot(v)_\"r h\"" M_PER_S2 / M_PER_S2, "Acceleration of the continuous hoist controller's set point.", "derived";
-    D_EPSILON_H: "der(epsilon_h)" "dot(epsilon)_\"h\"" M_PER_S / M_PER_S, "Rate of the integral of the error of the hoist: that error, unless the limit of the moment holds the integral.", "derived";
+    D_EPSILON_H: "der(epsilon_rh)" "dot(epsilon)_\"r h\"" M_PER_S / M_PER_S, "Rate of the integral of the error of the hoist: that error, unless the limit of the moment holds the integral.", "derived";
     V_T_H: "v_th" "v_\"t h\"" M_PER_S / M_PER_S, "Commanded speed to which the set point of the continuous hoist controller is going.", "state";
     WAY_R_H: "way_rh" "w_\"r h\"" ONE / ONE, "Whether the set point of the continuous hoist controller is at its command (0), or which way it goes (1, -1).", "state";
     HOLD_H: "hold_h" "l_\"h\"" ONE / ONE, "Whether the moment of the continuous hoist controller is within its limit (0), or at it, with the sign of the moment: the integral waits (1), falls (2), keeps the moment at the limit (3).", "state";

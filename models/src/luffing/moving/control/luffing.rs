@@ -30,10 +30,10 @@ symbols! {
     M_IN_A: "M_inA" "M_\"i,n A\"" N_M / KN_M, "Integral part of the moment after this sample, unless the limit holds it.", "derived";
     M_N_A: "M_nA" "M_\"n A\"" N_M / KN_M, "Moment of the luffing drive from this sample to the next.", "derived";
     OMEGA_R_A: "omega_rA" "omega_\"r A\"" RAD_PER_S / DEG_PER_S, "Set point of the continuous luffing controller.", "derived";
-    EPSILON_A: "epsilon_A" "epsilon_\"A\"" RAD / DEG, "Integral of the error of the angular velocity of the driving link, as its continuous controller has it.", "derived";
+    EPSILON_A: "epsilon_rA" "epsilon_\"r A\"" RAD / DEG, "Integral of the error of the angular velocity of the driving link, as its continuous controller has it.", "derived";
     E_R_A: "e_rA" "e_\"r A\"" RAD_PER_S / DEG_PER_S, "Error of the angular velocity of the driving link: set point of the continuous controller less speed.", "derived";
     D_OMEGA_R_A: "der(omega_rA)" "dot(omega)_\"r A\"" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of the continuous luffing controller's set point.", "derived";
-    D_EPSILON_A: "der(epsilon_A)" "dot(epsilon)_\"A\"" RAD_PER_S / DEG_PER_S, "Rate of the integral of the error of luffing: that error, unless the limit of the moment holds the integral.", "derived";
+    D_EPSILON_A: "der(epsilon_rA)" "dot(epsilon)_\"r A\"" RAD_PER_S / DEG_PER_S, "Rate of the integral of the error of luffing: that error, unless the limit of the moment holds the integral.", "derived";
     OMEGA_T_A: "omega_tA" "omega_\"t A\"" RAD_PER_S / DEG_PER_S, "Commanded angular velocity to which the set point of the continuous luffing controller is going.", "state";
     WAY_R_A: "way_rA" "w_\"r A\"" ONE / ONE, "Whether the set point of the continuous luffing controller is at its command (0), or which way it goes (1, -1).", "state";
     HOLD_A: "hold_A" "l_\"A\"" ONE / ONE, "Whether the moment of the continuous luffing controller is within its limit (0), or at it, with the sign of the moment: the integral waits (1), falls (2), keeps the moment at the limit (3).", "state";
