@@ -87,7 +87,7 @@ pub(crate) use exposed;
 macro_rules! told {
     (($phi:ident, $omega:ident) $($to:tt)*) => {
         $crate::component::fragments::composed! { @with {
-            sampled: $crate::luffing::moving::control::Sampled<C> =
+            sampled: $crate::luffing::moving::control::SampledDrives<C> =
                 $crate::luffing::moving::control::sampled(control[!], commanded[!], latched[!], $phi, $omega, states[!]);
             commands: $crate::luffing::moving::given::Inputs<C> =
                 $crate::luffing::moving::control::acting::acting(inputs[!], latched) => _;
@@ -117,7 +117,7 @@ pub(crate) use boom_rates;
 macro_rules! regulated {
     (($phi:ident, $omega:ident) $($to:tt)*) => {
         $crate::component::fragments::composed! { @with {
-            regulated: $crate::luffing::moving::control::continuous::Regulated<C> =
+            regulated: $crate::luffing::moving::control::continuous::RegulatedDrives<C> =
                 $crate::luffing::moving::control::continuous::regulated(
                     control[!], commanded[!], regulating[!], regime[!], $phi, $omega, states[!], moves, fitted
                 );

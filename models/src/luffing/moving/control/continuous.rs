@@ -63,7 +63,7 @@ impl ByAxis<Regulating> {
 
 /// What each of them gives now, how its states move, and what falls below zero where a smooth piece of its law ends.
 #[derive(Clone, Copy, Debug)]
-pub struct Regulated<C>([Option<[C; 8]>; AXES.len()]);
+pub struct RegulatedDrives<C>([Option<[C; 8]>; AXES.len()]);
 
 /// Error, moment asked for and moment of each.
 pub const REGULATION: [&Symbol; 9] = [
@@ -114,7 +114,7 @@ pub fn place(row: usize) -> [usize; 2] {
     }
 }
 
-impl<C: Calc> Rows<C> for Regulated<C> {
+impl<C: Calc> Rows<C> for RegulatedDrives<C> {
     const ROWS: &'static [&'static Symbol] = &REGULATED;
     fn row(&self, row: u8, _: u16) -> Found<C> {
         let [axis, of] = place(usize::from(row));
@@ -134,13 +134,13 @@ pub fn regulated<C: Calc>(
     states: &CraneStates<C>,
     moves: &CraneMoves<C>,
     fitted: &Fitted,
-) -> Regulated<C> {
+) -> RegulatedDrives<C> {
     let speeds = places(theta, omega, states).map(|[_, speed]| speed);
     let accelerations = rates(fitted).map(|rate| rate.map_or(C::constant(0.0), |rate| moves.of(rate)));
     let found = ordered(control, (regulating, regime), speeds);
     let winding = winding(control, regime, &found, accelerations);
     let until = until(control, commanded, (regulating, regime), &found, accelerations);
-    Regulated(std::array::from_fn(|i| {
+    RegulatedDrives(std::array::from_fn(|i| {
         let (ordered, [set, integral], [ramp, limit, wind]) = (found[i]?, winding[i]?, until[i]?);
         let Ordered { error, asked, moment } = ordered;
         Some([error, asked, moment, set, integral, ramp, limit, wind])

@@ -84,10 +84,10 @@ pub fn sampled<C: Calc>(
     theta: &One<C>,
     omega: &One<C>,
     states: &CraneStates<C>,
-) -> Sampled<C> {
+) -> SampledDrives<C> {
     let at = places(theta, omega, states);
     let next = std::array::from_fn(|i| Some(control.0[i]?.sample(&held.0[i]?, &commanded.0[i]?, at[i])));
-    Sampled {
+    SampledDrives {
         held: held.0,
         next: ByAxis(next),
     }
@@ -104,7 +104,7 @@ fn places<C: Calc>(theta: &One<C>, omega: &One<C>, CraneStates(states): &CraneSt
 
 /// What they hold, and what they will after the next sample.
 #[derive(Clone, Copy, Debug)]
-pub struct Sampled<C> {
+pub struct SampledDrives<C> {
     held: [Option<Latched<C>>; AXES.len()],
     pub next: ByAxis<Latched<C>>,
 }
@@ -122,7 +122,7 @@ pub const HELD: [&Symbol; 9] = [
     &hoist::M_IH,
 ];
 
-impl<C: Calc> Rows<C> for Sampled<C> {
+impl<C: Calc> Rows<C> for SampledDrives<C> {
     const ROWS: &'static [&'static Symbol] = &HELD;
     fn row(&self, row: u8, _: u16) -> Found<C> {
         let held = self.held[usize::from(row / 3)].as_ref().ok_or_else(absent)?;
