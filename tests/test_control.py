@@ -15,7 +15,7 @@ SPEED = ROOT / "models/scenes/slewing_by_speed.toml"
 
 # A rigid shaft with viscous friction, its controller with ramp and limit; SI.
 J, C, K_P, K_I, T_C, A, M_MAX = 4.0e6, 2.0e5, 6.0e6, 5.0e6, 0.05, 0.03, 150e3
-SHAFT = """name  = "Shaft"
+SHAFT = """name  = "{name}"
 title = "A rigid shaft under its controller"
 
 [slewing]
@@ -23,16 +23,16 @@ fidelity = "rigid"
 R     = "20 m"
 Q     = "0 kN"
 J_sl  = "4000000 kg.m2"
-c_sl  = "200 kN.m.s"
+c_sl  = "{friction} kN.m.s"
 
 [slewing.control]
-K_psl   = "6000 kN.m.s"
-K_isl   = "5000 kN.m"
-T_csl   = "50 ms"
-a_sl    = "0.03 rad/s2"
-M_maxsl = "150 kN.m"
-omega_csl = "0.1 rad/s"
-
+K_psl   = "{k_p} kN.m.s"
+K_isl   = "{k_i} kN.m"
+{cycle}
+a_sl    = "{ramp} rad/s2"
+M_maxsl = "{limit} kN.m"
+omega_csl = {command}
+{more}
 [slewing.motion]
 from  = "-60 deg"
 to    = "120 deg"
@@ -60,7 +60,9 @@ def samples(count, commanded=0.1):
 
 @pytest.fixture(scope="module")
 def shaft(tmp_path_factory):
-    return written(tmp_path_factory.mktemp("shaft"), "Shaft", SHAFT)
+    text = SHAFT.format(name="Shaft", friction=C / 1e3, k_p=K_P / 1e3, k_i=K_I / 1e3, cycle=f'T_csl = "{T_C} s"', ramp=A,
+                        limit=M_MAX / 1e3, command='"0.1 rad/s"', more="")
+    return written(tmp_path_factory.mktemp("shaft"), "Shaft", text)
 
 
 @pytest.fixture(scope="module")

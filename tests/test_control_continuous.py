@@ -11,6 +11,7 @@ from scipy.integrate import solve_ivp
 
 from conftest import ROOT, lemnis
 from test_commands import ENDS, Stepped, same_bits, written
+from test_control import SHAFT
 from test_slewing_coupling import PLAIN
 
 KINDS = ("CoSimulation", "ModelExchange")
@@ -18,39 +19,13 @@ SPEED = ROOT / "models/scenes/slewing_by_speed.toml"
 
 # A rigid shaft; SI.
 J, A, OMEGA = 4.0e6, 0.03, 0.1
-SHAFT = """name  = "{name}"
-title = "A rigid shaft under its controller"
-
-[slewing]
-fidelity = "rigid"
-R     = "20 m"
-Q     = "0 kN"
-J_sl  = "4000000 kg.m2"
-c_sl  = "{friction} kN.m.s"
-
-[slewing.control]
-K_psl   = "{k_p} kN.m.s"
-K_isl   = "{k_i} kN.m"
-{cycle}
-a_sl    = "{ramp} rad/s2"
-M_maxsl = "{limit} kN.m"
-omega_csl = {command}
-
-[slewing.dynamics]
-step = "10 ms"
-
-[slewing.motion]
-from  = "-60 deg"
-to    = "120 deg"
-step  = "5 deg"
-speed = "9 deg/s"
-"""
+FINE = '\n[slewing.dynamics]\nstep = "10 ms"\n'
 DAMPED = {"over": (6e6, 1e6), "critical": (6e6, 2.25e6), "under": (6e6, 5e6)}
 
 
 def shaft(folder, name, gains, **keys):
     k_p, k_i = (gain / 1e3 for gain in gains)
-    keys = {"friction": 0, "cycle": "", "ramp": A, "limit": 1e6, "command": f'"{OMEGA} rad/s"', **keys}
+    keys = {"friction": 0, "cycle": "", "more": FINE, "ramp": A, "limit": 1e6, "command": f'"{OMEGA} rad/s"', **keys}
     return written(folder, name, SHAFT.format(name=name, k_p=k_p, k_i=k_i, **keys))
 
 
@@ -58,10 +33,10 @@ def told(rows):
     return '{ between = "steps", over = [' + ", ".join(f'["{t} s", "{v} rad/s"]' for t, v in rows) + "] }"
 
 
-def behind(t, k_p, k_i):
+def behind(t, k_p, k_i, inertia=J):
     """Error under a set point that rises by 1 rad/s²: J e'' + K_p e' + K_i e = 0 from e = 0, e' = 1 on."""
     t = np.maximum(t, 0.0)
-    decay, square = k_p / (2 * J), k_p ** 2 / (4 * J ** 2) - k_i / J
+    decay, square = k_p / (2 * inertia), k_p ** 2 / (4 * inertia ** 2) - k_i / inertia
     own = np.sqrt(abs(square))
     if square == 0.0:
         return t * np.exp(-decay * t)
@@ -104,7 +79,7 @@ def test_the_command_acts_at_events_and_there_are_two_states_more(shafts):
         assert states == ["psi_sl", "omega_sl", "omega_rsl", "epsilon_sl"]
 
 
-def moments(rows, gains, c, limit, end, times):
+def moments(rows, gains, c, limit, end, times, inertia=J):
     """Speed and integral part of the moment by SciPy, from one change to the next. States: speed, set point, M_i. Beyond the limit
     M_i waits while the error asks for more; where it would wait and go on by turns, K_p e + M_i stays at the limit."""
     k_p, k_i = gains
@@ -115,7 +90,7 @@ def moments(rows, gains, c, limit, end, times):
         omega, point, part = y
         error = point - omega
         moment = k_p * error + part if mode[0] == "free" else mode[1] * limit
-        slope = (moment - c * omega) / J
+        slope = (moment - c * omega) / inertia
         drift = way * A - slope
         grows = {"free": k_i * error, "falls": k_i * error, "waits": 0.0, "stays": -k_p * drift}[mode[0]]
         return error, slope, drift, grows

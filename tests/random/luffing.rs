@@ -12,7 +12,7 @@ use lemnis_models::parts::plane::{Point, cross, length, turned};
 use toml::Table;
 
 use crate::cases::cases;
-use crate::control::{HOIST, LUFFING, SLEWING, controlled, cycle};
+use crate::control::{Axis, HOIST, LUFFING, SLEWING, controlled, cycle};
 use crate::hung;
 use crate::scene::{Draw, Node};
 
@@ -780,6 +780,9 @@ pub fn dynamics(n: &mut Node, turns: &str, rope: bool, oil: bool) {
         }
     }
     controls(n, own, !oil && !roped, lasts);
+    if !oil {
+        unsampled(n);
+    }
     let gives = n.child("hoisting").is_some_and(|hoist| hoist.has("c_R"));
     n.keep("ground", gives && n.has("ground"));
     if n.has("ground") {
@@ -831,6 +834,36 @@ fn controls(n: &mut Node, inertia: f64, luffing: bool, lasts: f64) {
             controlled(&mut control, &HOIST, inertia, speed, [0.9 * rope, 1.1 * rope], cycle);
             hoist.remove(&[HOIST.moment]);
         }
+    }
+}
+
+/// Each controller of luffing, slewing and hoist.
+fn each_control(n: &mut Node, act: &mut dyn FnMut(&mut Node, &Axis)) {
+    if let Some(mut control) = n.child("control") {
+        act(&mut control, &LUFFING);
+    }
+    for (table, axis) in [("slewing", &SLEWING), ("hoisting", &HOIST)] {
+        if let Some(mut drive) = n.child(table)
+            && let Some(mut control) = drive.child("control")
+        {
+            act(&mut control, axis);
+        }
+    }
+}
+
+/// Controllers that all follow speeds may do so without samples, and then not as quickly.
+fn unsampled(n: &mut Node) {
+    let mut by_speed = true;
+    each_control(n, &mut |control, axis| by_speed &= control.has(axis.commands[0]));
+    if by_speed && n.draw.coin(0.5) {
+        each_control(n, &mut |control, axis| {
+            let [k_p, k_i, cycle, ..] = axis.settings;
+            for (name, less) in [(k_p, 20.0), (k_i, 400.0)] {
+                let gain = control.get(name) / less;
+                control.set(name, gain);
+            }
+            control.remove(&[cycle]);
+        });
     }
 }
 

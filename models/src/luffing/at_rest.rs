@@ -31,6 +31,8 @@ macro_rules! at_rest {
             control: None,
             commanded: None,
             latched: None,
+            regulating: None,
+            regime: None,
             constants: None,
             ramp: None,
             give: None,

@@ -35,15 +35,16 @@ use crate::luffing::curved_trunk::tail::{TailArc, Trunk, TrunkChoice, TrunkTail}
 use crate::luffing::curved_trunk::velocity::{TrunkSpeeds, TrunkTravel, pole};
 use crate::luffing::moving::balance_in_motion::BalanceInMotion;
 use crate::luffing::moving::built::HoistParts;
+use crate::luffing::moving::control::acting;
 use crate::luffing::moving::fragments::{
-    boom_rates, coordinate, exposed, geared, plant, pulled, remembered, single_boom, surrounded, told,
+    boom_rates, coordinate, exposed, geared, plant, pulled, regulated, remembered, single_boom, surrounded, told,
 };
 use crate::luffing::moving::given::Fitted;
 use crate::luffing::moving::level::{CraneAt, Level};
-use crate::luffing::moving::listed::{Said, luffing_component, said};
+use crate::luffing::moving::listed::{ALL_INDICATORS, Said, luffing_component, rates_after, said};
 use crate::luffing::moving::luffs::luffs;
 use crate::luffing::moving::single::{self, Acting, SingleBoom};
-use crate::luffing::moving::stages::{self, CraneEvents, INDICATORS, rates_after};
+use crate::luffing::moving::stages::{self, CraneEvents};
 use crate::luffing::resistances::fragments::{cases, chosen, resisted, sheared};
 use crate::luffing::resistances::outline::WHOLE;
 use crate::luffing::resistances::told::resists;
@@ -120,7 +121,7 @@ composed! {
         ..exposed(OfTrunk);
         built[constants]: Vec<Level<C>> = single::driven(parts, boom, geared, exposed) => _;
         ..told(phi, omega);
-        at: CraneAt<C> = stages::at(phi, omega, states[!], wound, past[!], commands, brake, second, fitted) => _;
+        at: CraneAt<C> = acting::at(phi, omega, states[!], wound, past[!], commands, brake, second, fitted, control, regulating, regime) => _;
         ..boom_rates(phi, Trunked);
         ..pulled(phi);
         acting: Acting<C> = single::acting(boom, built, told, at, phi);
@@ -128,6 +129,7 @@ composed! {
         forces: TrunkForces<C> = forces(boom, phi, contact, position, travel, acting, drive[?]);
         pressing: C = forces_in_motion::pressure(forces, width[!]) => P_T;
         hauling: Hauling<C> = hauling(gear[!], forces);
+        ..regulated(phi, omega);
         ..surrounded(phi);
         events: CraneEvents<C> = stages::events(built, told, at, phi, fitted);
     }
@@ -140,7 +142,7 @@ taut_rope!(pulls by phi);
 resists!(CurvedTrunkBoom with resisting::PARTS);
 
 said! { CurvedTrunkBoom: Said {
-    bar: [&[&b::PHI, &s::OMEGA], &rates_after::<22>(Trunked::RATES)],
+    bar: [&[&b::PHI, &s::OMEGA], &rates_after::<28>(Trunked::RATES)],
     still: &[t::ALL, b::ALL, crate::drive::symbols::ALL],
     moving: listed!(s: M_D, P_D, N_T, Q_T, P_T, F_BX, F_BY, F_O1X, F_O1Y, F_D, N_1, F_KX, F_KY, F_MX, F_MY, S_LM, S_LM_OUT, S_LM_IN),
     drive: Some(&s::M_D),
@@ -150,7 +152,7 @@ said! { CurvedTrunkBoom: Said {
 impl Component for CurvedTrunkBoom {
     luffing_component!(position);
 
-    const INDICATORS: &'static [&'static Symbol] = &joined::<_, 26, 2, 28>(INDICATORS, [&s::Z_TIE, &Z_PULL]);
+    const INDICATORS: &'static [&'static Symbol] = &joined::<_, 35, 2, 37>(ALL_INDICATORS, [&s::Z_TIE, &Z_PULL]);
 
     const WHOLE: &'static [Whole] = &joined::<_, 5, 4, 9>(
         [

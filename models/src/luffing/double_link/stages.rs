@@ -42,13 +42,16 @@ use crate::luffing::double_link::statics::{LoadMoment, Own, by_pole};
 use crate::luffing::double_link::symbols as g;
 use crate::luffing::double_link::unbalanced::{Unbalanced, UnbalancedCase};
 use crate::luffing::double_link::velocity::Velocity;
-use crate::luffing::moving::fragments::{coordinate, exposed, geared, plant, pulled, remembered, surrounded, told};
+use crate::luffing::moving::control::acting;
+use crate::luffing::moving::fragments::{
+    coordinate, exposed, geared, plant, pulled, regulated, remembered, surrounded, told,
+};
 use crate::luffing::moving::given::{CylinderOil, Fitted};
 use crate::luffing::moving::level::{CraneAt, Level};
-use crate::luffing::moving::listed::{Said, luffing_component, said};
+use crate::luffing::moving::listed::{ALL_INDICATORS, Said, luffing_component, said};
 use crate::luffing::moving::luffs::luffs;
 use crate::luffing::moving::reduced::Renewed;
-use crate::luffing::moving::stages::{self, CraneEvents, CraneMoves, CraneOil, INDICATORS, LoadSeen, OilFlows};
+use crate::luffing::moving::stages::{self, CraneEvents, CraneMoves, CraneOil, LoadSeen, OilFlows};
 use crate::luffing::resistances::fragments::{cases, chosen, resisted, sheared};
 use crate::luffing::resistances::outline::WHOLE;
 use crate::luffing::resistances::symbols::M_R_OWN;
@@ -135,13 +138,14 @@ composed! {
         ..exposed(OfLink);
         built[constants]: Vec<Level<C>> = motion::built(parts, linkage, geared, exposed) => _;
         ..told(theta, omega);
-        at: CraneAt<C> = stages::at(theta, omega, states[!], wound, past[!], commands, brake, second, fitted) => _;
+        at: CraneAt<C> = acting::at(theta, omega, states[!], wound, past[!], commands, brake, second, fitted, control, regulating, regime) => _;
         moves: CraneMoves<C> = stages::moves(built, told, at, theta) => _;
         rates: LinkRates<C> = LinkRates::new(moves, fitted);
         pushing: C = stages::cylinder(built, told, at, theta) => F_C;
         ..pulled(theta);
         forces: CraneForces<C> = motion::forces(linkage, built, told, at, theta);
         hauling: Hauling<C> = hauling(gear[!], forces);
+        ..regulated(theta, omega);
         ..surrounded(theta);
         resisting_slewing: C = stages::resisting_slewing(built, told, at, theta) => M_R_SL;
         seen: LoadSeen<C> = LoadSeen::new(at, fitted);
@@ -188,7 +192,7 @@ impl Component for DoubleLink {
         drive "Cylinder, rack, screw, sector, crank or rope between frame and driving link.": s L_D, v V_D, f F_D, q Q_D;
     };
 
-    const INDICATORS: &'static [&'static Symbol] = &joined::<_, 26, 1, 27>(INDICATORS, [&Z_PULL]);
+    const INDICATORS: &'static [&'static Symbol] = &joined::<_, 35, 1, 36>(ALL_INDICATORS, [&Z_PULL]);
 
     fn has(given: &Given<f64>, symbol: &'static Symbol) -> bool {
         let own = match given.choice.driven {

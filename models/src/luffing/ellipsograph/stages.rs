@@ -32,15 +32,16 @@ use crate::luffing::ellipsograph::symbols as g;
 use crate::luffing::ellipsograph::velocity::{GuidedSpeeds, GuidedTravel};
 use crate::luffing::moving::balance_in_motion::BalanceInMotion;
 use crate::luffing::moving::built::HoistParts;
+use crate::luffing::moving::control::acting;
 use crate::luffing::moving::fragments::{
-    boom_rates, coordinate, exposed, geared, plant, pulled, remembered, single_boom, surrounded, told,
+    boom_rates, coordinate, exposed, geared, plant, pulled, regulated, remembered, single_boom, surrounded, told,
 };
 use crate::luffing::moving::given::Fitted;
 use crate::luffing::moving::level::{CraneAt, Level};
-use crate::luffing::moving::listed::{Said, luffing_component, said};
+use crate::luffing::moving::listed::{ALL_INDICATORS, Said, luffing_component, rates_after, said};
 use crate::luffing::moving::luffs::luffs;
 use crate::luffing::moving::single::{self, Acting, SingleBoom};
-use crate::luffing::moving::stages::{self, CraneEvents, INDICATORS, rates_after};
+use crate::luffing::moving::stages::{self, CraneEvents};
 use crate::luffing::resistances::fragments::{cases, chosen, resisted, sheared};
 use crate::luffing::resistances::outline::WHOLE;
 use crate::luffing::resistances::told::resists;
@@ -113,13 +114,14 @@ composed! {
         ..exposed(OfGuided);
         built[constants]: Vec<Level<C>> = single::driven(parts, boom, geared, exposed) => _;
         ..told(phi, omega);
-        at: CraneAt<C> = stages::at(phi, omega, states[!], wound, past[!], commands, brake, second, fitted) => _;
+        at: CraneAt<C> = acting::at(phi, omega, states[!], wound, past[!], commands, brake, second, fitted, control, regulating, regime) => _;
         ..boom_rates(phi, Guided);
         ..pulled(phi);
         acting: Acting<C> = single::acting(boom, built, told, at, phi);
         countered: BalanceInMotion<C> = single::countered(acting, balance[!]);
         forces: GuidedForces<C> = forces(bars, boom, phi, position, acting, drive[?]);
         hauling: Hauling<C> = hauling(gear[!], forces);
+        ..regulated(phi, omega);
         ..surrounded(phi);
         events: CraneEvents<C> = stages::events(built, told, at, phi, fitted);
     }
@@ -132,7 +134,7 @@ taut_rope!(pulls by phi);
 resists!(EllipsographBoom with resisting::PARTS);
 
 said! { EllipsographBoom: Said {
-    bar: [&[&b::PHI, &s::OMEGA], &rates_after::<22>(Guided::RATES)],
+    bar: [&[&b::PHI, &s::OMEGA], &rates_after::<28>(Guided::RATES)],
     still: &[g::ALL, b::ALL, crate::drive::symbols::ALL],
     moving: listed!(s: M_D, P_D, F_BX, F_CX, F_CY, N_L, F_O1X, F_O1Y, F_D, N_1, F_KX, F_KY, F_MX, F_MY, S_LM, S_LM_OUT, S_LM_IN),
     drive: Some(&s::M_D),
@@ -142,7 +144,7 @@ said! { EllipsographBoom: Said {
 impl Component for EllipsographBoom {
     luffing_component!(position);
 
-    const INDICATORS: &'static [&'static Symbol] = &joined::<_, 26, 1, 27>(INDICATORS, [&Z_PULL]);
+    const INDICATORS: &'static [&'static Symbol] = &joined::<_, 35, 1, 36>(ALL_INDICATORS, [&Z_PULL]);
 
     const WHOLE: &'static [Whole] = &joined::<_, 5, 4, 9>(
         [

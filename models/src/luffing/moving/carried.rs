@@ -11,13 +11,17 @@ use crate::kernel::number::short;
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::{Fault, Role};
 use crate::luffing::moving::brakes::{Braking, Delays};
+use crate::luffing::moving::control::ByAxis;
+use crate::luffing::moving::control::continuous::Laws;
 use crate::luffing::moving::control::holding::holding;
 use crate::luffing::moving::crane::REELED_IN;
 use crate::luffing::moving::given::{CraneStates, Inputs, L_R, S_Q, STATES, V_R, order};
 use crate::luffing::moving::level::{Ahead, CraneAt, Onward};
 use crate::luffing::moving::luffs::{LuffingGiven, Luffs, MotionSources};
+use crate::luffing::moving::regulated::Regulators;
 use crate::luffing::moving::stages::open;
 use crate::luffing::moving::symbols as m;
+use crate::parts::control::continuous::Regulating;
 use crate::parts::hoist::Drum;
 use crate::parts::hydraulics::oil::warning;
 use crate::parts::joint::Bar;
@@ -29,6 +33,8 @@ pub struct CarriedCrane<T> {
     pub(super) count: Count,
     /// Whether brakes are on the shaft of its motor.
     pub(super) braked: bool,
+    /// Where its controllers begin, if they are not sampled.
+    pub(super) begun: Option<Laws>,
     pub(super) of: PhantomData<fn() -> T>,
 }
 
@@ -38,6 +44,7 @@ impl<T> Clone for CarriedCrane<T> {
             ahead: self.ahead,
             count: self.count,
             braked: self.braked,
+            begun: self.begun,
             of: PhantomData,
         }
     }
@@ -69,6 +76,19 @@ pub(crate) fn put<T: Luffs>(model: &mut Standing, CraneAt { past, y, .. }: &Cran
         states.0[*place] = *y;
     }
     T::put_now(known::<T>(model), [y[0], y[1]], states, *past);
+}
+
+/// Puts a crane where it is now, and its continuous controllers where it has them.
+fn put_all<T: Luffs>(model: &mut Standing, at: &CraneAt, regulators: &Option<Regulators>) {
+    put::<T>(model, at);
+    if let Some(regulators) = regulators {
+        T::put_laws(known::<T>(model), regulators.laws);
+    }
+}
+
+/// States of controllers.
+fn stands(regulators: &Option<Regulators>) -> Option<ByAxis<Regulating>> {
+    regulators.as_ref().map(|regulators| regulators.laws.states)
 }
 
 /// Longest step of the solver, in s.
@@ -158,15 +178,16 @@ fn lift<T: Luffs>(model: &mut Standing) {
     }
 }
 
-/// Controllers hold their axes at rest where the crane is.
-pub(super) fn hold<T: Luffs>(model: &mut Standing) -> Result<(), Fault> {
+/// Continuous controllers as they are.
+pub(super) fn regulators<T: Luffs>(model: &Standing) -> Option<Regulators> {
     let now = given::<T>(model).sources;
-    if let Some((control, held)) = now.control.zip(now.latched) {
-        let (level, at) = T::in_motion(known::<T>(model)).map_err(|fault| *fault)?;
-        let held = holding(level, &at, &now.fitted, &control, &held)?;
-        T::put_held(known::<T>(model), held);
-    }
-    Ok(())
+    let (states, past) = now.regulating.zip(now.regime)?;
+    let (control, commanded) = now.control.zip(now.commanded)?;
+    Some(Regulators {
+        control,
+        commanded,
+        laws: Laws { states, past },
+    })
 }
 
 /// Command of the brakes on the motor's shaft, what they do, and their delays.
@@ -199,15 +220,41 @@ impl<T: Luffs> CarriedCrane<T> {
         braking.next(&delays, time)
     }
 
+    /// Controllers hold their axes at rest where the crane is.
+    pub(super) fn hold(&mut self, model: &mut Standing) -> Result<(), Fault> {
+        let now = given::<T>(model);
+        let Some(control) = now.sources.control else {
+            return Ok(());
+        };
+        let (level, at) = T::in_motion(known::<T>(model)).map_err(|fault| *fault)?;
+        let moments = holding(level, &at, &now.sources.fitted, &control, longest(&now))?;
+        if let Some(mut held) = now.sources.latched {
+            held.hold(moments);
+            T::put_held(known::<T>(model), held);
+        }
+        if let Some((begun, mut now)) = self.begun.zip(regulators::<T>(model)) {
+            now.laws.hold(&control, moments, &begun);
+            T::put_laws(known::<T>(model), now.laws);
+            self.begun = Some(now.laws);
+        }
+        Ok(())
+    }
+
+    /// Continuous controllers, where it has them.
+    fn regulators(&self, model: &Standing) -> Option<Regulators> {
+        self.begun.and_then(|_| regulators::<T>(model))
+    }
+
     fn decide(&mut self, model: &mut Standing) -> Result<bool, Fault> {
         self.brake(model, model.time(), false);
+        let mut laws = self.regulators(model);
         let (level, mut at) = T::in_motion(known::<T>(model)).map_err(|fault| *fault)?;
-        let (before, mut ahead) = (at, self.ahead);
-        let decided = level.run(&mut at, &mut ahead, None);
+        let (before, mut ahead) = ((at.y, stands(&laws)), self.ahead);
+        let decided = level.carry(&mut at, &mut ahead, laws.as_mut(), None);
         decided.map_err(|_| open(&given::<T>(model).theta))?;
         self.ahead = ahead;
-        put::<T>(model, &at);
-        Ok(at.y != before.y)
+        put_all::<T>(model, &at, &laws);
+        Ok((at.y, stands(&laws)) != before)
     }
 
     /// Moves on between two times (s), while no brake falls on.
@@ -229,14 +276,15 @@ impl<T: Luffs> CarriedCrane<T> {
             tolerance: now.sources.oil.map_or(0.0, |oil| oil.tol),
             slopes,
         };
+        let led = self.regulators(model);
         let (level, before) = T::in_motion(known::<T>(model)).map_err(|fault| *fault)?;
-        let (mut at, mut ahead) = (before, self.ahead);
-        let solved = level.run(&mut at, &mut ahead, Some(on));
+        let (mut at, mut ahead, mut laws) = (before, self.ahead, led);
+        let solved = level.carry(&mut at, &mut ahead, laws.as_mut(), Some(on));
         let work = solved.map_err(|halt| refusal(&now, halt, to - from))?;
         self.count = self.count.and(work);
-        put::<T>(model, &at);
+        put_all::<T>(model, &at, &laws);
         let whole = model.update().and_then(|()| whole::<T>(model));
-        whole.inspect_err(|_| put::<T>(model, &before))?;
+        whole.inspect_err(|_| put_all::<T>(model, &before, &led))?;
         self.ahead = ahead;
         model.set_time(to);
         Ok(())
@@ -267,12 +315,12 @@ impl<T: Luffs> Carrier for CarriedCrane<T> {
         if !self.braked {
             return self.piece(model, times, ramps);
         }
-        let (before, ahead) = (at::<T>(model), self.ahead);
+        let (before, ahead, laws) = (at::<T>(model), self.ahead, self.regulators(model));
         self.pieces(model, times, ramps).inspect_err(|_| {
             for ramp in ramps {
                 model.part_mut().put(ramp.source, ramp.value);
             }
-            put::<T>(model, &before);
+            put_all::<T>(model, &before, &laws);
             model.set_time(times[0]);
             self.ahead = ahead;
         })
@@ -289,6 +337,9 @@ impl<T: Luffs> Carrier for CarriedCrane<T> {
         (at.y[0], at.y[1]) = (value, model.motion().speed);
         (at.past.joints[0], at.past.grounded, at.past.braking) = (Bar::Forward, false, Braking::LIFTED);
         put::<T>(model, &at);
+        if let Some(begun) = self.begun {
+            T::put_laws(known::<T>(model), begun);
+        }
         self.ahead.restart(&at.y);
         Ok(())
     }
@@ -304,7 +355,7 @@ impl<T: Luffs> Carrier for CarriedCrane<T> {
             self.ahead.restart(&at.y);
         }
         self.brake(model, model.time(), true);
-        hold::<T>(model)?;
+        self.hold(model)?;
         self.update(model)
     }
 

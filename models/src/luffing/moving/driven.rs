@@ -3,16 +3,17 @@
 use std::borrow::Cow;
 
 use crate::luffing::moving::crane::{Commands, CraneState, MovingCrane, Struck};
+use crate::luffing::moving::given::Inputs;
 use crate::luffing::moving::weather::Weather;
 use crate::parts::joint::JointDrive;
 use crate::parts::solver::pieces::{self, Pieces};
 use crate::parts::solver::{Count, Halt};
 
 /// A crane under commands, for the solver.
-struct Commanded<'a, const N: usize, const J: usize> {
-    crane: &'a MovingCrane<N, J>,
-    commands: &'a Commands<J>,
-    slopes: Option<&'a Slopes<J>>,
+pub(super) struct Commanded<'a, const N: usize, const J: usize> {
+    pub(super) crane: &'a MovingCrane<N, J>,
+    pub(super) commands: &'a Commands<J>,
+    pub(super) slopes: Option<&'a Slopes<J>>,
 }
 
 /// How fast commands change, the speed (m/s²) and direction (rad/s) of the wind at the load, and what the bodies meet.
@@ -23,10 +24,20 @@ pub struct Slopes<const J: usize> {
     pub weather: Weather,
 }
 
+impl<const J: usize> Slopes<J> {
+    pub(super) fn of(slopes: &Inputs) -> Slopes<J> {
+        Slopes {
+            commands: slopes.of(),
+            wind: slopes.wind,
+            weather: slopes.weather,
+        }
+    }
+}
+
 impl<const N: usize, const J: usize> Commanded<'_, N, J> {
     /// At a time since the start, in s.
     #[inline]
-    fn at(&self, time: f64) -> Commands<J> {
+    pub(super) fn at(&self, time: f64) -> Commands<J> {
         match self.slopes {
             None => *self.commands,
             Some(slopes) => self.commands.changed(&slopes.commands, time),
@@ -35,7 +46,7 @@ impl<const N: usize, const J: usize> Commanded<'_, N, J> {
 
     /// In the wind of a time since the start, in s.
     #[inline]
-    fn blown(&self, time: f64) -> Cow<'_, MovingCrane<N, J>> {
+    pub(super) fn blown(&self, time: f64) -> Cow<'_, MovingCrane<N, J>> {
         let changes = |slopes: &&Slopes<J>| slopes.wind != [0.0; 2] || !slopes.weather.is_calm();
         let Some(slopes) = self.slopes.filter(changes) else {
             return Cow::Borrowed(self.crane);
@@ -52,6 +63,14 @@ impl<const N: usize, const J: usize> Commanded<'_, N, J> {
                 .put_weather(outdoors.weather.later(&slopes.weather, time));
         }
         Cow::Owned(crane)
+    }
+
+    /// Refuses commands that cannot be, now or at the end of a duration (s).
+    pub(super) fn check(&self, duration: f64) -> Result<(), Halt> {
+        let sound =
+            |Commands { drives, hoist, .. }: Commands<J>| drives.iter().all(JointDrive::is_sound) && hoist.is_sound();
+        let all = [0.0, duration].into_iter().all(|time| sound(self.at(time)));
+        all.then_some(()).ok_or(Halt::Outside)
     }
 }
 
@@ -117,11 +136,7 @@ where
             commands,
             slopes,
         };
-        let sound =
-            |Commands { drives, hoist, .. }: Commands<J>| drives.iter().all(JointDrive::is_sound) && hoist.is_sound();
-        if ![0.0, duration].into_iter().all(|time| sound(commanded.at(time))) {
-            return Err(Halt::Outside);
-        }
+        commanded.check(duration)?;
         pieces::advance(&commanded, state, duration, longest)
     }
 }

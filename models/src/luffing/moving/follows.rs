@@ -10,7 +10,8 @@ use crate::component::running::Running;
 use crate::component::standing::{Standing, VariablePlace};
 use crate::kernel::variable::{Name, Quantity, Role, TIME};
 use crate::luffing::moving::brakes::Braking;
-use crate::luffing::moving::carried::{at, put};
+use crate::luffing::moving::carried::{at, known, put, regulators};
+use crate::luffing::moving::control::continuous::Laws;
 use crate::luffing::moving::given::L_R;
 use crate::luffing::moving::hydraulic::{FIXED, Modes};
 use crate::luffing::moving::level::CraneAt;
@@ -86,6 +87,22 @@ fn lively(luffing: &LuffingGiven, now: &CraneAt) -> Vec<CraneAt> {
     found
 }
 
+/// Of lively states one in so many has other regimes of controllers too: as it has no divisor in common with the ways of moving,
+/// every one of these is among them.
+const REGIMES_EACH: usize = 7;
+
+/// What controllers that are not sampled may do besides having set points at rest and moments within their limits: set points on
+/// their way, and all that the limit does with the integral.
+fn regimes(laws: Laws) -> [Laws; 3] {
+    [[1.0, 1.0], [-1.0, 2.0], [1.0, 3.0]].map(|[way, hold]| {
+        let mut laws = laws;
+        for past in laws.past.0.iter_mut().flatten() {
+            (past.way, past.hold) = (way, hold);
+        }
+        laws
+    })
+}
+
 /// What stands in the present position alone, as of a crane at rest.
 fn at_rest<T: Luffs>(model: &MovingComponent) -> Standing {
     let moving = model.standing();
@@ -146,8 +163,16 @@ pub fn follows<T: Luffs>(model: &MovingComponent) -> Vec<BTreeSet<Name>> {
         .map(name)
         .collect();
     let now = at::<T>(lively_model.parts().0);
-    for at in lively(&luffing, &now) {
-        put::<T>(lively_model.parts().0, &at);
+    let laws = regulators::<T>(lively_model.parts().0).map(|all| all.laws);
+    let all = lively(&luffing, &now);
+    let within = all.iter().map(|at| (at, laws));
+    let others = laws.into_iter().flat_map(regimes);
+    let others = others.flat_map(|laws| all.iter().step_by(REGIMES_EACH).map(move |at| (at, Some(laws))));
+    for (at, laws) in within.chain(others) {
+        put::<T>(lively_model.parts().0, at);
+        if let Some(laws) = laws {
+            T::put_laws(known::<T>(lively_model.parts().0), laws);
+        }
         if !follows_more(&lively_model, &moving, &givens, &found) {
             continue;
         }

@@ -37,6 +37,8 @@ macro_rules! remembered {
             Latch latched: Option<$crate::luffing::moving::control::ByAxis<$crate::parts::control::Latched<C>>>,
             Memory wound: Option<One<C>>,
             Memory past: Option<$crate::luffing::moving::hydraulic::Modes>,
+            State regulating: Option<$crate::luffing::moving::control::ByAxis<$crate::parts::control::continuous::Regulating<C>>>,
+            Memory regime: Option<$crate::luffing::moving::control::ByAxis<$crate::parts::control::continuous::Regime<C>>>,
         } $($to)* }
     };
 }
@@ -85,12 +87,10 @@ pub(crate) use exposed;
 macro_rules! told {
     (($phi:ident, $omega:ident) $($to:tt)*) => {
         $crate::component::fragments::composed! { @with {
-            sampled: $crate::luffing::moving::control::ByAxis<$crate::parts::control::Latched<C>> =
-                $crate::luffing::moving::control::sampled(control[!], commanded[!], latched[!], $phi, $omega, states[!]) => _;
-            controlled: $crate::luffing::moving::control::HeldMoments<C> =
-                $crate::luffing::moving::control::HeldMoments::new(latched[!]);
+            sampled: $crate::luffing::moving::control::SampledDrives<C> =
+                $crate::luffing::moving::control::sampled(control[!], commanded[!], latched[!], $phi, $omega, states[!]);
             commands: $crate::luffing::moving::given::Inputs<C> =
-                $crate::luffing::moving::control::acting(inputs[!], latched) => _;
+                $crate::luffing::moving::control::acting::acting(inputs[!], latched) => _;
             told[constants]: Vec<$crate::luffing::moving::level::Level<C>> =
                 $crate::luffing::moving::stages::told(built, commands) => _;
         } $($to)* }
@@ -112,6 +112,19 @@ macro_rules! boom_rates {
     };
 }
 pub(crate) use boom_rates;
+
+/// The stage of controllers that are not sampled, behind the crane's rates.
+macro_rules! regulated {
+    (($phi:ident, $omega:ident) $($to:tt)*) => {
+        $crate::component::fragments::composed! { @with {
+            regulated: $crate::luffing::moving::control::continuous::RegulatedDrives<C> =
+                $crate::luffing::moving::control::continuous::regulated(
+                    control[!], commanded[!], regulating[!], regime[!], $phi, $omega, states[!], moves, fitted
+                );
+        } $($to)* }
+    };
+}
+pub(crate) use regulated;
 
 /// Stages of the moments that resist and of the rope's pull.
 macro_rules! pulled {

@@ -176,6 +176,14 @@ pub fn order(oil: bool, slews: bool) -> &'static [usize] {
     }
 }
 
+/// Where in the order of the equations the speeds of luffing, slewing and hoist are.
+#[must_use]
+pub fn rates(fitted: &Fitted) -> [Option<usize>; 3] {
+    let states = order(fitted.oil, fitted.slewing.is_some());
+    let rate = |place: usize| states.iter().position(|state| *state == place).map(|found| found + 2);
+    [Some(1), rate(OMEGA_SL), rate(V_R)]
+}
+
 static PAST: Symbol = Symbol::new("past", "", [&ONE, &ONE], "A number of what happened before.", "derived");
 
 const PAST_NUMBERS: usize = 8;

@@ -200,11 +200,11 @@ fn shaft<P: Coordinate<P>>(dynamics: &Dynamics<P>, theta: P) -> Option<Option<Mo
 }
 
 /// The states of this level.
-fn first<const N: usize, P>(y: &[P; MOST_STATES]) -> &[P; N] {
+pub(super) fn first<const N: usize, P>(y: &[P; MOST_STATES]) -> &[P; N] {
     y.first_chunk().expect("no level has more states")
 }
 
-fn put<P: Copy>(to: &mut [P], from: &[P]) {
+pub(super) fn put<P: Copy>(to: &mut [P], from: &[P]) {
     for (to, from) in to.iter_mut().zip(from) {
         *to = *from;
     }
@@ -389,11 +389,7 @@ where
     let work = match on {
         None => crane.event(&mut state, commands).map(|_| Count::default())?,
         Some(on) => {
-            let slopes = on.slopes.map(|slopes| Slopes {
-                commands: slopes.of(),
-                wind: slopes.wind,
-                weather: slopes.weather,
-            });
+            let slopes = on.slopes.map(|slopes| Slopes::of(&slopes));
             crane.follow(&mut state, (commands, slopes.as_ref()), on.duration, on.longest)?
         }
     };

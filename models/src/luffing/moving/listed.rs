@@ -1,8 +1,11 @@
 //! What a crane in motion has of all levels, and what is said of its variables.
 
+use crate::component::outline::joined;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::{Role, Variable};
-use crate::luffing::moving::control::HELD;
+use crate::luffing::moving::control::acting::axis;
+use crate::luffing::moving::control::continuous::{CONTROL_EVENTS, WINDING};
+use crate::luffing::moving::control::{AXES, HELD, cycle};
 use crate::luffing::moving::given::{INPUTS, Meets, STATES};
 use crate::luffing::moving::luffs::MotionSources;
 use crate::luffing::moving::stages::{INDICATORS, RATES};
@@ -13,6 +16,27 @@ use crate::parts::hydraulics::symbols as h;
 const MOVING: &str = "In motion: with the inertia of all bodies, and the rope as it hangs.";
 const GIVEN: &str = "In motion: what motor and brake, or the cylinder, give it.";
 const AT_REST: &str = "As at rest: without inertia, the load hanging straight down.";
+
+/// The rates of a driven bar, those of all other states, and those of controllers.
+#[must_use]
+pub const fn rates_after<const N: usize>(bar: &[&'static Symbol]) -> [&'static Symbol; N] {
+    assert!(N == bar.len() + RATES.len() + WINDING.len(), "as many as there are");
+    let mut all = [bar[0]; N];
+    let mut i = 0;
+    while i < N {
+        let own = i.checked_sub(bar.len());
+        all[i] = match own {
+            None => bar[i],
+            Some(own) if own < RATES.len() => RATES[own],
+            Some(own) => WINDING[own - RATES.len()],
+        };
+        i += 1;
+    }
+    all
+}
+
+/// Event indicators of a crane and of its controllers.
+pub const ALL_INDICATORS: [&Symbol; 35] = joined(INDICATORS, CONTROL_EVENTS);
 
 /// What a scene's crane in motion has.
 #[derive(Clone, Copy, Debug)]
@@ -33,6 +57,8 @@ pub struct Fittings {
     pub meets: Meets,
     /// Of luffing, slewing and hoist.
     pub controlled: [bool; 3],
+    /// Its controllers are not sampled.
+    pub continuous: bool,
 }
 
 fn place(list: &[&'static Symbol], symbol: &'static Symbol) -> Option<usize> {
@@ -59,6 +85,7 @@ impl Fittings {
             controlled: sources
                 .control
                 .map_or([false; 3], |control| control.0.map(|axis| axis.is_some())),
+            continuous: sources.control.is_some_and(|control| cycle(&control).is_none()),
         })
     }
 
@@ -97,8 +124,8 @@ impl Fittings {
     /// Whether it has a result.
     #[must_use]
     pub fn has(self, symbol: &'static Symbol) -> bool {
-        if let Some(held) = place(&HELD, symbol) {
-            return self.controlled[held / 3];
+        if let Some(axis) = axis(symbol) {
+            return self.controlled[axis];
         }
         let of = |list: &[&Symbol]| list.contains(&symbol);
         match (place(&RATES, symbol), place(&INDICATORS, symbol)) {
@@ -145,13 +172,17 @@ pub struct Said {
 impl Said {
     /// Which part of the list a variable stands in: states, inputs, constants and results of the motion; all that a crane at
     /// rest has too; rates; event indicators. Forces say what they take into account.
-    pub fn list(&self, variable: &mut Variable) -> u8 {
+    pub fn list(&self, crane: &Fittings, variable: &mut Variable) -> u8 {
         let symbol = variable.symbol;
         let [driving, rates] = self.bar;
         let own = self.remarks.iter().find(|(known, _)| *known == symbol);
         variable.remark = own.map(|(_, remark)| *remark).or(variable.remark);
-        variable.at_events =
-            [&s::V_H, &s::U_BR].contains(&symbol) || (HELD.contains(&symbol) && variable.role != Role::Input);
+        let by_controllers = if crane.continuous {
+            AXES.iter().any(|axis| axis.commands.contains(&symbol))
+        } else {
+            HELD.contains(&symbol) && variable.role != Role::Input
+        };
+        variable.at_events = [&s::V_H, &s::U_BR].contains(&symbol) || by_controllers;
         if variable.role == Role::Indicator {
             return 3;
         }
@@ -200,7 +231,7 @@ macro_rules! luffing_component {
         }
 
         fn list(given: &Given<f64>, variable: &mut $crate::kernel::variable::Variable) -> u8 {
-            fittings(given).map_or(0, |_| SAID.list(variable))
+            fittings(given).map_or(0, |crane| SAID.list(&crane, variable))
         }
 
         fn cycle(given: &Given<f64>) -> Option<f64> {
@@ -211,7 +242,7 @@ macro_rules! luffing_component {
         }
 
         fn latch(known: &mut Known<f64>) -> Found<()> {
-            let held = *known.sampled()?;
+            let held = known.sampled()?.next;
             *known.latched() = Some(held);
             Ok(())
         }

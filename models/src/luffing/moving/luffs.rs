@@ -5,12 +5,14 @@ use crate::component::stages::Found;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 use crate::luffing::moving::control::ByAxis;
+use crate::luffing::moving::control::continuous::Laws;
 use crate::luffing::moving::given::{Constants, CraneStates, CylinderOil, Fitted, Inputs, Meets, Slack};
 use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::hydraulic::Modes;
 use crate::luffing::moving::level::{CraneAt, Level};
 use crate::luffing::resistances::given::{CaseBrake, SecondBrake};
 use crate::parts::air::AirAround;
+use crate::parts::control::continuous::{Regime, Regulating};
 use crate::parts::control::{Latched, SpeedControl};
 use crate::parts::ground::GroundBelow;
 use crate::parts::hydraulics::parts::OilParts;
@@ -34,6 +36,8 @@ pub struct MotionSources<C: Calc = f64> {
     pub control: Option<ByAxis<SpeedControl<C>>>,
     pub commanded: Option<ByAxis<One<C>>>,
     pub latched: Option<ByAxis<Latched<C>>>,
+    pub regulating: Option<ByAxis<Regulating<C>>>,
+    pub regime: Option<ByAxis<Regime<C>>>,
     pub wound: Option<One<C>>,
     pub past: Option<Modes>,
     /// Of a rope that drives luffing.
@@ -57,6 +61,8 @@ impl MotionSources {
         control: None,
         commanded: None,
         latched: None,
+        regulating: None,
+        regime: None,
         wound: None,
         past: None,
         slack: None,
@@ -119,6 +125,9 @@ pub trait Luffs: Component {
     /// Puts what controllers hold.
     fn put_held(known: &mut Self::Known<f64>, held: ByAxis<Latched>);
 
+    /// Puts where continuous controllers are.
+    fn put_laws(known: &mut Self::Known<f64>, laws: Laws);
+
     /// Puts states and what happened before, the driven bar as it is.
     fn put_past(known: &mut Self::Known<f64>, states: CraneStates<f64>, past: Modes);
 }
@@ -154,6 +163,8 @@ macro_rules! luffs {
                         control: given.control,
                         commanded: given.commanded,
                         latched: given.latched,
+                        regulating: given.regulating,
+                        regime: given.regime,
                         wound: given.wound,
                         past: given.past,
                         fitted: given.fitted,
@@ -180,6 +191,8 @@ macro_rules! luffs {
                     control,
                     commanded,
                     latched,
+                    regulating,
+                    regime,
                     wound,
                     past,
                     fitted,
@@ -200,6 +213,8 @@ macro_rules! luffs {
                     control,
                     commanded,
                     latched,
+                    regulating,
+                    regime,
                     wound,
                     past,
                     fitted,
@@ -245,6 +260,13 @@ macro_rules! luffs {
                 held: $crate::luffing::moving::control::ByAxis<$crate::parts::control::Latched>,
             ) {
                 *known.latched() = Some(held);
+            }
+
+            fn put_laws(
+                known: &mut Known<f64>,
+                laws: $crate::luffing::moving::control::continuous::Laws,
+            ) {
+                (*known.regulating(), *known.regime()) = (Some(laws.states), Some(laws.past));
             }
 
             fn put_past(

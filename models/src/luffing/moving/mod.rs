@@ -7,7 +7,7 @@
 //! | `dynamics`, `pendulum`, `blown` | the mechanism with what hangs on it; with its load as a pendulum, between events; that in the air |
 //! | `crane`, `driven`, `motion`, `space`, `hanging` | joints that stick, stops, a rope that goes slack; load in the plane and in space |
 //! | `grounded` | a load on the ground |
-//! | `control` | controllers of luffing, slewing and hoist |
+//! | `control`, `regulated` | controllers of luffing, slewing and hoist; a crane under those that are not sampled |
 //! | `pulled` | a crane that a rope luffs, which may go slack |
 //! | `hydraulic` | the same moved by a cylinder |
 //! | `weather`, `exposed` | wind and slope, as told; what they come to on a mechanism's bodies |
@@ -52,6 +52,7 @@ pub mod pendulum;
 mod powers;
 mod pulled;
 pub mod reduced;
+pub mod regulated;
 pub mod scene;
 pub mod shares;
 pub mod single;

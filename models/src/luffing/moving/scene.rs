@@ -181,7 +181,8 @@ impl Moving {
         let hoist = rope
             .filter(|rope| matches!(rope.hoist, HoistKind::Motor(_)))
             .map(|_| [hoisting; 2]);
-        let controllers = Controllers::read([Some([v, table]), v.table("slewing").map(|table| [table; 2]), hoist]);
+        let drives = [Some([v, table]), v.table("slewing").map(|table| [table; 2]), hoist];
+        let controllers = Controllers::read(drives, oil.is_some());
         let controllers = controllers.map_err(|refused| found.push(refused)).ok()?;
         found.extend(no_motor(hoisting, hoist.is_some()));
         let on_shaft = |part: &Key| v.table("cases").is_some_and(|cases| cases.has(part.name));

@@ -10,11 +10,10 @@ use crate::kernel::record::Rec;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Fault;
 use crate::luffing::moving::dynamics::Coordinate;
-use crate::luffing::moving::given::{CraneStates, CylinderOil, Fitted, Inputs, MOST_STATES, Slack, V_R, order};
+use crate::luffing::moving::given::{CylinderOil, Fitted, Inputs, MOST_STATES, Slack, order};
 use crate::luffing::moving::hydraulic::{Hydraulic, MOST, Modes};
 use crate::luffing::moving::level::{CraneAt, Level, MOST_INDICATORS, MotionResult, seen};
 use crate::luffing::moving::symbols as s;
-use crate::luffing::resistances::given::{CaseBrake, SecondBrake};
 use crate::parts::air::AirAround;
 use crate::parts::ground::GroundBelow;
 use crate::parts::hydraulics::cylinder::{Flows, PART_MARGINS};
@@ -66,36 +65,7 @@ pub fn present<'a, C>(built: &'a [Level<C>], told: &'a [Level<C>]) -> &'a Level<
     told.first().unwrap_or(&built[0])
 }
 
-/// The crane as it is.
-#[expect(clippy::too_many_arguments, reason = "all that it is")]
-pub fn at<C: Calc>(
-    theta: &One<C>,
-    omega: &One<C>,
-    states: &CraneStates<C>,
-    wound: &Option<One<C>>,
-    past: &Modes,
-    inputs: &Inputs<C>,
-    brake: &Option<CaseBrake<C>>,
-    second: &Option<SecondBrake<C>>,
-    fitted: &Fitted,
-) -> CraneAt<C> {
-    let mut y = [C::constant(0.0); MOST_STATES];
-    (y[0], y[1]) = (theta.1, omega.1);
-    let mut states = states.0;
-    if let Some(rate) = wound {
-        states[V_R] = rate.1;
-    }
-    for (y, place) in y[2..].iter_mut().zip(order(fitted.oil, fitted.slewing.is_some())) {
-        *y = states[*place];
-    }
-    let mut inputs = *inputs;
-    if fitted.braked {
-        inputs.shaft = past.braking.torque(brake, second);
-    }
-    CraneAt { past: *past, inputs, y }
-}
-
-/// The same of a crane that a rope luffs.
+/// A crane as it is that a rope luffs.
 pub fn hanging<C: Calc>(at: &CraneAt<C>, slack: &Slack) -> CraneAt<C> {
     let past = Modes {
         slack: slack.0,
@@ -135,6 +105,11 @@ impl<C: Calc> CraneMoves<C> {
     pub fn bar(&self) -> [C; 2] {
         [self.0[0], self.0[1]]
     }
+
+    /// Of a state, by its place in the order of the equations.
+    pub fn of(&self, state: usize) -> C {
+        self.0[state]
+    }
 }
 
 pub fn moves<C: Scalar>(
@@ -156,19 +131,6 @@ pub const RATES: [&Symbol; 20] = *listed!(
     s: D_P_1, D_P_2, D_P_A, D_P_B, D_X_V, D_V_V, D_PSI_SL, D_OMEGA_SL, D_X_Q, D_Y_Q, D_Z_Q, D_V_QX, D_V_QY, D_V_QZ, D_PHI_R,
     D_OMEGA_R, D_L_R, D_S_Q, D_V_Q, D_V_R
 );
-
-/// The rates of a driven bar, then those of all other states.
-#[must_use]
-pub const fn rates_after<const N: usize>(bar: &[&'static Symbol]) -> [&'static Symbol; N] {
-    assert!(N == bar.len() + RATES.len(), "as many as there are");
-    let mut all = [bar[0]; N];
-    let mut i = 0;
-    while i < N {
-        all[i] = if i < bar.len() { bar[i] } else { RATES[i - bar.len()] };
-        i += 1;
-    }
-    all
-}
 
 rows!(CraneRates, RATES);
 

@@ -11,7 +11,10 @@ use crate::component::standing::Standing;
 use crate::kernel::group::One;
 use crate::kernel::variable::Fault;
 use crate::luffing::moving::blown::directions;
-use crate::luffing::moving::carried::{CarriedCrane, at, hold, known, put};
+use crate::luffing::moving::carried::{CarriedCrane, at, known, put, regulators};
+use crate::luffing::moving::control::AXES;
+use crate::luffing::moving::control::continuous::Laws;
+use crate::luffing::moving::control::reading::Controllers;
 use crate::luffing::moving::dynamics::Coordinate;
 use crate::luffing::moving::given::{CraneStates, Fitted, MOST_STATES, STATES, Slack};
 use crate::luffing::moving::hoisting::HoistKind;
@@ -152,6 +155,12 @@ fn above(level: &Level, theta: f64, ground: f64) -> Result<f64, Fault> {
     .about(&m::Y_G))
 }
 
+/// Continuous controllers of a crane at rest but for its speeds of luffing, slewing and hoist; `None` where it has none.
+fn laws(moving: &Moving, speeds: [f64; AXES.len()]) -> Option<Laws> {
+    let continuous = moving.controllers.filter(|all| !all.are_sampled())?;
+    Some(Laws::steady(&continuous.control, speeds))
+}
+
 /// What the scene gives of its motion, at rest.
 fn sources(moving: &Moving) -> MotionSources {
     let Moving {
@@ -161,6 +170,9 @@ fn sources(moving: &Moving) -> MotionSources {
         slewing,
         ..
     } = *moving;
+    let speeds = [0.0, slewing.map_or(0.0, |turn| turn.joint.start[1]), 0.0];
+    let sampled = moving.controllers.filter(Controllers::are_sampled);
+    let laws = laws(moving, speeds);
     let kind = rope.map_or(HoistKind::AtOnce, |rope| rope.hoist);
     MotionSources {
         states: Some(CraneStates([0.0; STATES.len()])),
@@ -182,10 +194,9 @@ fn sources(moving: &Moving) -> MotionSources {
         oil_parts,
         control: moving.controllers.map(|it| it.control),
         commanded: moving.controllers.map(|it| it.commanded),
-        latched: moving.controllers.map(|it| {
-            let turns = slewing.map_or(0.0, |turn| turn.joint.start[1]);
-            it.at_start([0.0, turns, 0.0])
-        }),
+        latched: sampled.map(|it| it.at_start(speeds)),
+        regulating: laws.map(|laws| laws.states),
+        regime: laws.map(|laws| laws.past),
         wound: moving.winds_at_once().then_some(One(&m::V_H, 0.0)),
         past: Some(Modes::AT_REST),
         slack: Some(Slack(None)),
@@ -244,10 +255,11 @@ pub fn starting<T: Luffs>(
             ahead: level.ahead(&now.y),
             count: Count::default(),
             braked: moving.braked,
+            begun: regulators::<T>(model).map(|all| all.laws),
             of: PhantomData,
         };
         put::<T>(model, &now);
-        hold::<T>(model)?;
+        own.hold(model)?;
         own.update(model)?;
         Ok(with_samples(own, model))
     })

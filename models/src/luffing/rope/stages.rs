@@ -16,15 +16,16 @@ use crate::luffing::balancing::{Balanced, Balancing};
 use crate::luffing::criteria::Criteria;
 use crate::luffing::moving::balance_in_motion::BalanceInMotion;
 use crate::luffing::moving::built::HoistParts;
+use crate::luffing::moving::control::acting;
 use crate::luffing::moving::fragments::{
-    boom_rates, coordinate, exposed, plant, remembered, single_boom, surrounded, told,
+    boom_rates, coordinate, exposed, plant, regulated, remembered, single_boom, surrounded, told,
 };
 use crate::luffing::moving::given::{Fitted, Slack};
 use crate::luffing::moving::level::{CraneAt, Level};
-use crate::luffing::moving::listed::{Said, luffing_component, said};
+use crate::luffing::moving::listed::{ALL_INDICATORS, Said, luffing_component, rates_after, said};
 use crate::luffing::moving::luffs::luffs;
 use crate::luffing::moving::single::{self, Acting, SingleBoom};
-use crate::luffing::moving::stages::{self, CraneEvents, INDICATORS, rates_after};
+use crate::luffing::moving::stages::{self, CraneEvents};
 use crate::luffing::resistances::fragments::{cases, chosen, resisted, sheared};
 use crate::luffing::resistances::outline::WHOLE;
 use crate::luffing::resistances::told::resists;
@@ -98,7 +99,7 @@ composed! {
         ..exposed(OfBoom);
         built[constants]: Vec<Level<C>> = single::built(parts, boom, exposed) => _;
         ..told(phi, omega);
-        still: CraneAt<C> = stages::at(phi, omega, states[!], wound, past[!], commands, brake, second, fitted) => _;
+        still: CraneAt<C> = acting::at(phi, omega, states[!], wound, past[!], commands, brake, second, fitted, control, regulating, regime) => _;
         at: CraneAt<C> = stages::hanging(still, slack[!]) => _;
         ..boom_rates(phi, Roped);
         resisting: C = stages::resisting(built, told, at, phi) => M_R;
@@ -111,6 +112,7 @@ composed! {
         forces: RopeForces<C> = RopeForces::new(
             rig, position, falls, stretch, weights[!], inertia[!], constants[!], acting, tackle
         );
+        ..regulated(phi, omega);
         ..surrounded(phi);
         events: CraneEvents<C> = stages::events(built, told, at, phi, fitted);
     }
@@ -121,7 +123,7 @@ luffs!(RopeBoom by phi, omega on slack);
 resists!(RopeBoom with resisting::PARTS);
 
 said! { RopeBoom: Said {
-    bar: [&[&b::PHI, &s::OMEGA], &rates_after::<22>(Roped::RATES)],
+    bar: [&[&b::PHI, &s::OMEGA], &rates_after::<28>(Roped::RATES)],
     still: &[r::ALL, b::ALL],
     moving: listed!(s: T_DYN, S_H, F_K, F_O1X, F_O1Y, N_B, P_L, N_1, F_KX, F_KY, F_MX, F_MY),
     drive: None,
@@ -131,7 +133,7 @@ said! { RopeBoom: Said {
 impl Component for RopeBoom {
     luffing_component!(falls);
 
-    const INDICATORS: &'static [&'static Symbol] = &INDICATORS;
+    const INDICATORS: &'static [&'static Symbol] = &ALL_INDICATORS;
 
     const WHOLE: &'static [Whole] = &joined::<_, 8, 4, 12>(
         [

@@ -224,6 +224,12 @@ impl SpeedControl {
         self.cycle
     }
 
+    /// The integral of the error that gives a moment (N·m) at no error.
+    #[must_use]
+    pub fn integrated(&self, moment: f64) -> f64 {
+        moment / self.gains[1]
+    }
+
     /// Greatest moment by amount, in N·m.
     #[must_use]
     pub fn limit(&self) -> f64 {

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use num_dual::Dual64;
 
+use crate::component::outline::joined;
 use crate::component::scalar::{EachScalar, Scalar};
 use crate::component::stages::{Found, Rows};
 use crate::drive::hauling::Pushes;
@@ -27,8 +28,9 @@ use crate::luffing::moving::geared::Geared;
 use crate::luffing::moving::given::{Constants, CylinderOil, Fitted};
 use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::level::{CraneAt, Level};
+use crate::luffing::moving::listed::rates_after;
 use crate::luffing::moving::reduced::Renewed;
-use crate::luffing::moving::stages::{CraneMoves, CraneRates, open, present, rates_after};
+use crate::luffing::moving::stages::{CraneMoves, CraneRates, RATES as CRANE_RATES, open, present};
 use crate::parts::air::AirAround;
 use crate::parts::ground::GroundBelow;
 use crate::parts::hydraulics::parts::OilParts;
@@ -137,11 +139,11 @@ pub struct LinkRates<C>([C; 2], CraneRates<C>);
 
 const LINK_RATES: [&Symbol; 4] = *listed!(s: D_THETA_1, D_OMEGA_1, D_THETA_3, D_OMEGA_3);
 
-/// With those of all other states.
-pub const RATES: [&Symbol; 24] = rates_after(&LINK_RATES);
+/// With those of all other states, and of controllers.
+pub const RATES: [&Symbol; 30] = rates_after(&LINK_RATES);
 
 impl<C: Calc> Rows<C> for LinkRates<C> {
-    const ROWS: &'static [&'static Symbol] = &RATES;
+    const ROWS: &'static [&'static Symbol] = &joined::<_, 4, 20, 24>(LINK_RATES, CRANE_RATES);
     fn row(&self, row: u8, of: u16) -> Found<C> {
         match row.checked_sub(LINK_RATES.len() as u8) {
             None => Ok(self.0[usize::from(row % 2)]),

@@ -6,6 +6,7 @@ use crate::kernel::symbol::symbols;
 use crate::luffing::moving::control::hoist as s;
 use crate::luffing::moving::symbols::M_M_H;
 use crate::parts::control::DriveAxis;
+use crate::parts::control::continuous::ContinuousAxis;
 use crate::parts::control::reading::TABLE;
 
 symbols! {
@@ -28,6 +29,17 @@ symbols! {
     M_AH: "M_ah" "M_\"a h\"" N_M / KN_M, "Moment that the hoist controller asks for, before its limit.", "derived";
     M_INH: "M_inh" "M_\"i,n h\"" N_M / KN_M, "Integral part of the moment after this sample, unless the limit holds it.", "derived";
     M_NH: "M_nh" "M_\"n h\"" N_M / KN_M, "Moment of the hoist motor from this sample to the next.", "derived";
+    V_R_H: "v_rh" "v_\"r h\"" M_PER_S / M_PER_S, "Set point of the continuous hoist controller.", "derived";
+    EPSILON_H: "epsilon_rh" "epsilon_\"r h\"" M / M, "Integral of the error of the rope's speed, as the continuous hoist controller has it.", "derived";
+    E_R_H: "e_rh" "e_\"r h\"" M_PER_S / M_PER_S, "Error of the rope's speed: speed less set point of the continuous controller; positive where the load is to be lifted faster.", "derived";
+    D_V_R_H: "der(v_rh)" "dot(v)_\"r h\"" M_PER_S2 / M_PER_S2, "Acceleration of the continuous hoist controller's set point.", "derived";
+    D_EPSILON_H: "der(epsilon_rh)" "dot(epsilon)_\"r h\"" M_PER_S / M_PER_S, "Rate of the integral of the error of the hoist: that error, unless the limit of the moment holds the integral.", "derived";
+    V_T_H: "v_th" "v_\"t h\"" M_PER_S / M_PER_S, "Commanded speed to which the set point of the continuous hoist controller is going.", "state";
+    WAY_R_H: "way_rh" "w_\"r h\"" ONE / ONE, "Whether the set point of the continuous hoist controller is at its command (0), or which way it goes (1, -1).", "state";
+    HOLD_H: "hold_h" "l_\"h\"" ONE / ONE, "Whether the moment of the continuous hoist controller is within its limit (0), or at it, with the sign of the moment: the integral waits (1), falls (2), keeps the moment at the limit (3).", "state";
+    Z_H_RAMP: "z.hoist_ramp" "z_30" ONE / ONE, "Falls below zero where the set point of the continuous hoist controller reaches its command.", "event";
+    Z_H_LIMIT: "z.hoist_limit" "z_31" ONE / ONE, "Falls below zero where the moment that the continuous hoist controller asks for meets its limit or comes back within it.", "event";
+    Z_H_WIND: "z.hoist_wind" "z_32" ONE / ONE, "Falls below zero where the integral of the continuous hoist controller begins or ceases to wait at the limit.", "event";
 }
 
 pub static AXIS: DriveAxis = DriveAxis {
@@ -40,10 +52,17 @@ pub static AXIS: DriveAxis = DriveAxis {
     reversed: true,
 };
 
+/// What it is without a cycle.
+pub static CONTINUOUS: ContinuousAxis = ContinuousAxis {
+    states: [&V_R_H, &EPSILON_H],
+    past: [&V_T_H, &WAY_R_H, &HOLD_H],
+    law: [&E_R_H, &M_AH],
+};
+
 /// The table of a scene whose hoist has a controller.
 pub const CONTROL: Key = Key::part(TABLE, KEYS, "Controller of the hoist, and its command.");
 
 static KEYS: &[Key] = keys! { s:
-    K_PH > 0, K_IH > 0, T_CH > 0, A_CH > 0, M_MAXH > 0, V_CH [over_time, optional], L_CH [over_time, optional],
+    K_PH > 0, K_IH > 0, T_CH > 0 [optional], A_CH > 0, M_MAXH > 0, V_CH [over_time, optional], L_CH [over_time, optional],
     K_LH > 0 [optional], V_MAXH > 0 [optional]
 };

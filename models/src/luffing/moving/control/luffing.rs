@@ -6,6 +6,7 @@ use crate::kernel::symbol::symbols;
 use crate::luffing::moving::control::luffing as s;
 use crate::luffing::moving::symbols::M_A;
 use crate::parts::control::DriveAxis;
+use crate::parts::control::continuous::ContinuousAxis;
 use crate::parts::control::reading::TABLE;
 
 symbols! {
@@ -28,6 +29,17 @@ symbols! {
     M_A_A: "M_aA" "M_\"a A\"" N_M / KN_M, "Moment that the luffing controller asks for, before its limit.", "derived";
     M_IN_A: "M_inA" "M_\"i,n A\"" N_M / KN_M, "Integral part of the moment after this sample, unless the limit holds it.", "derived";
     M_N_A: "M_nA" "M_\"n A\"" N_M / KN_M, "Moment of the luffing drive from this sample to the next.", "derived";
+    OMEGA_R_A: "omega_rA" "omega_\"r A\"" RAD_PER_S / DEG_PER_S, "Set point of the continuous luffing controller.", "derived";
+    EPSILON_A: "epsilon_rA" "epsilon_\"r A\"" RAD / DEG, "Integral of the error of the angular velocity of the driving link, as its continuous controller has it.", "derived";
+    E_R_A: "e_rA" "e_\"r A\"" RAD_PER_S / DEG_PER_S, "Error of the angular velocity of the driving link: set point of the continuous controller less speed.", "derived";
+    D_OMEGA_R_A: "der(omega_rA)" "dot(omega)_\"r A\"" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of the continuous luffing controller's set point.", "derived";
+    D_EPSILON_A: "der(epsilon_rA)" "dot(epsilon)_\"r A\"" RAD_PER_S / DEG_PER_S, "Rate of the integral of the error of luffing: that error, unless the limit of the moment holds the integral.", "derived";
+    OMEGA_T_A: "omega_tA" "omega_\"t A\"" RAD_PER_S / DEG_PER_S, "Commanded angular velocity to which the set point of the continuous luffing controller is going.", "state";
+    WAY_R_A: "way_rA" "w_\"r A\"" ONE / ONE, "Whether the set point of the continuous luffing controller is at its command (0), or which way it goes (1, -1).", "state";
+    HOLD_A: "hold_A" "l_\"A\"" ONE / ONE, "Whether the moment of the continuous luffing controller is within its limit (0), or at it, with the sign of the moment: the integral waits (1), falls (2), keeps the moment at the limit (3).", "state";
+    Z_A_RAMP: "z.luffing_ramp" "z_27" ONE / ONE, "Falls below zero where the set point of the continuous luffing controller reaches its command.", "event";
+    Z_A_LIMIT: "z.luffing_limit" "z_28" ONE / ONE, "Falls below zero where the moment that the continuous luffing controller asks for meets its limit or comes back within it.", "event";
+    Z_A_WIND: "z.luffing_wind" "z_29" ONE / ONE, "Falls below zero where the integral of the continuous luffing controller begins or ceases to wait at the limit.", "event";
 }
 
 pub static AXIS: DriveAxis = DriveAxis {
@@ -40,10 +52,17 @@ pub static AXIS: DriveAxis = DriveAxis {
     reversed: false,
 };
 
+/// What it is without a cycle.
+pub static CONTINUOUS: ContinuousAxis = ContinuousAxis {
+    states: [&OMEGA_R_A, &EPSILON_A],
+    past: [&OMEGA_T_A, &WAY_R_A, &HOLD_A],
+    law: [&E_R_A, &M_A_A],
+};
+
 /// The table of a scene whose luffing has a controller.
 pub const CONTROL: Key = Key::part(TABLE, KEYS, "Controller of luffing, and its command.");
 
 static KEYS: &[Key] = keys! { s:
-    K_P_A > 0, K_I_A > 0, T_C_A > 0, A_A > 0, M_MAX_A > 0, OMEGA_C_A [over_time, optional], THETA_C_A [over_time, optional],
+    K_P_A > 0, K_I_A > 0, T_C_A > 0 [optional], A_A > 0, M_MAX_A > 0, OMEGA_C_A [over_time, optional], THETA_C_A [over_time, optional],
     K_THETA_A > 0 [optional], OMEGA_MAX_A > 0 [optional]
 };

@@ -1,8 +1,10 @@
 //! Controllers of a crane's drives: [`crate::parts::control`] as the source of the moments of luffing, slewing and a hoist's
-//! motor, which one PLC samples.
+//! motor, which one PLC samples, or
+//! which are continuous.
 //!
 //! | file | what |
 //! |---|---|
+//! | `continuous`, `acting` | those that are not sampled; inputs with the moments that controllers give |
 //! | `luffing`, `hoist` | quantities of the two that only a luffing crane has |
 //! | `holding` | what they hold at the start |
 //! | `reading` | controllers as scenes describe them |
@@ -12,18 +14,20 @@ use crate::kernel::calc::Calc;
 use crate::kernel::group::{Group, One};
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::Quantity;
-use crate::luffing::moving::given::{CraneStates, Inputs, L_R, OMEGA_SL, PSI_SL, V_R};
+use crate::luffing::moving::given::{CraneStates, L_R, OMEGA_SL, PSI_SL, V_R};
 use crate::luffing::moving::symbols as m;
 use crate::parts::control::{DriveAxis, Latched, SpeedControl};
 use crate::parts::turntable_control as turning;
 
+pub mod acting;
+pub mod continuous;
 pub mod hoist;
 pub mod holding;
 pub mod luffing;
 pub mod reading;
 
 /// Of luffing, slewing and hoist, as far as they have controllers.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ByAxis<G>(pub [Option<G>; 3]);
 
 /// What they are called, in this order.
@@ -79,34 +83,31 @@ pub fn sampled<C: Calc>(
     held: &ByAxis<Latched<C>>,
     theta: &One<C>,
     omega: &One<C>,
-    CraneStates(states): &CraneStates<C>,
-) -> ByAxis<Latched<C>> {
-    let at = [
+    states: &CraneStates<C>,
+) -> SampledDrives<C> {
+    let at = places(theta, omega, states);
+    let next = std::array::from_fn(|i| Some(control.0[i]?.sample(&held.0[i]?, &commanded.0[i]?, at[i])));
+    SampledDrives {
+        held: held.0,
+        next: ByAxis(next),
+    }
+}
+
+/// Place and speed of each axis.
+fn places<C: Calc>(theta: &One<C>, omega: &One<C>, CraneStates(states): &CraneStates<C>) -> [[C; 2]; AXES.len()] {
+    [
         [theta.1, omega.1],
         [states[PSI_SL], states[OMEGA_SL]],
         [states[L_R], states[V_R]],
-    ];
-    ByAxis(std::array::from_fn(|i| {
-        Some(control.0[i]?.sample(&held.0[i]?, &commanded.0[i]?, at[i]))
-    }))
+    ]
 }
 
-/// Inputs with the moments that controllers hold.
-pub fn acting<C: Calc>(given: &Inputs<C>, held: &Option<ByAxis<Latched<C>>>) -> Inputs<C> {
-    let mut inputs = *given;
-    if let Some(ByAxis(held)) = held {
-        for (i, held) in held.iter().enumerate() {
-            if let Some(held) = held {
-                inputs.drive(i).moment = held.moment;
-            }
-        }
-    }
-    inputs
-}
-
-/// What they hold.
+/// What they hold, and what they will after the next sample.
 #[derive(Clone, Copy, Debug)]
-pub struct HeldMoments<C>([Option<Latched<C>>; 3]);
+pub struct SampledDrives<C> {
+    held: [Option<Latched<C>>; AXES.len()],
+    pub next: ByAxis<Latched<C>>,
+}
 
 /// Moment, set point and integral part of each.
 pub const HELD: [&Symbol; 9] = [
@@ -121,17 +122,11 @@ pub const HELD: [&Symbol; 9] = [
     &hoist::M_IH,
 ];
 
-impl<C: Calc> Rows<C> for HeldMoments<C> {
+impl<C: Calc> Rows<C> for SampledDrives<C> {
     const ROWS: &'static [&'static Symbol] = &HELD;
     fn row(&self, row: u8, _: u16) -> Found<C> {
-        let held = self.0[usize::from(row / 3)].as_ref().ok_or_else(absent)?;
+        let held = self.held[usize::from(row / 3)].as_ref().ok_or_else(absent)?;
         Ok([held.moment, held.set, held.integral][usize::from(row % 3)])
-    }
-}
-
-impl<C: Calc> HeldMoments<C> {
-    pub fn new(held: &ByAxis<Latched<C>>) -> HeldMoments<C> {
-        HeldMoments(held.0)
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::group::One;
 use crate::kernel::schema::Values;
-use crate::luffing::moving::control::{AXES, ByAxis};
+use crate::luffing::moving::control::{AXES, ByAxis, cycle};
 use crate::luffing::moving::given::Inputs;
 use crate::parts::control::reading::TABLE;
 use crate::parts::control::{Latched, SpeedControl, taken};
@@ -18,50 +18,76 @@ pub struct Controllers {
     pub commanded: ByAxis<One<f64>>,
 }
 
-/// Refuses a controller that is not sampled.
-fn continuous(table: &Values, control: &SpeedControl) -> Diagnostic {
+/// Refuses a controller that is not sampled of a crane that a cylinder luffs.
+fn beside_oil(table: &Values, control: &SpeedControl) -> Diagnostic {
     let id = control.axis.settings[2].id;
     let what = format!("a controller without its cycle {id}");
-    let help = format!("add {id} = \"20 ms\": drives of a crane that luffs have sampled controllers");
+    let help = format!("add {id} = \"20 ms\": drives of a crane that a cylinder luffs have sampled controllers");
     table.refuse(id, what, "needed here", help)
+}
+
+/// Refuses controllers of two cycles, or of which one alone is sampled.
+fn other(table: &Values, own: &SpeedControl, known: &SpeedControl) -> Option<Diagnostic> {
+    let [of, than] = [own, known].map(|it| it.axis.settings[2]);
+    let (what, label, help) = match (own.cycle(), known.cycle()) {
+        (Some(cycle), Some(other)) if (other - cycle).abs() > SAME * cycle => (
+            format!(
+                "{} = {} beside {} = {}",
+                of.id,
+                of.written(cycle),
+                than.id,
+                than.written(other)
+            ),
+            "two cycles",
+            "one PLC samples all drives: give its cycle to each of them".to_owned(),
+        ),
+        (Some(_), None) | (None, Some(_)) => {
+            let [with, without] = if own.cycle().is_some() { [of, than] } else { [than, of] };
+            (
+                format!("{} without {}", with.id, without.id),
+                "one alone is sampled",
+                format!(
+                    "one PLC samples all drives: give its cycle {} too, or no cycle at all",
+                    without.id
+                ),
+            )
+        }
+        _ => return None,
+    };
+    Some(table.refuse(of.id, what, label, help))
 }
 
 impl Controllers {
     /// Those in the tables of luffing, slewing and hoist, each with that of its drive; `None` where there is none.
     ///
     /// # Errors
-    /// As [`SpeedControl::read`]; a controller without a cycle; two cycles, as one PLC samples all drives.
-    pub fn read(tables: [Option<[&Values; 2]>; 3]) -> Result<Option<Controllers>, Diagnostic> {
+    /// As [`SpeedControl::read`]; two cycles, or one controller with it and one without, as one PLC samples all drives; one
+    /// without where a cylinder luffs.
+    pub fn read(tables: [Option<[&Values; 2]>; 3], oil: bool) -> Result<Option<Controllers>, Diagnostic> {
         let (mut control, mut commanded) = (ByAxis([None; 3]), ByAxis([None; 3]));
-        let mut first: Option<(SpeedControl, f64)> = None;
+        let mut first: Option<SpeedControl> = None;
         for (i, (axis, tables)) in AXES.into_iter().zip(tables).enumerate() {
             let Some([table, drive]) = tables else { continue };
             let Some((own, command)) = SpeedControl::read(axis, table, drive)? else {
                 continue;
             };
-            let Some(cycle) = own.cycle() else {
-                return Err(continuous(table.table(TABLE).unwrap_or(table), &own));
-            };
-            let other = |known: &(SpeedControl, f64)| (known.1 - cycle).abs() > SAME * cycle;
-            if let Some((known, than_cycle)) = first.filter(other) {
-                let [of, than] = [&own, &known].map(|it| it.axis.settings[2]);
-                let what = format!(
-                    "{} = {} beside {} = {}",
-                    of.id,
-                    of.written(cycle),
-                    than.id,
-                    than.written(than_cycle)
-                );
-                let help = "one PLC samples all drives: give its cycle to each of them";
-                return Err(table
-                    .table(TABLE)
-                    .unwrap_or(table)
-                    .refuse(of.id, what, "two cycles", help));
+            let place = table.table(TABLE).unwrap_or(table);
+            if oil && own.cycle().is_none() {
+                return Err(beside_oil(place, &own));
             }
-            first = first.or(Some((own, cycle)));
+            if let Some(refused) = first.as_ref().and_then(|known| other(place, &own, known)) {
+                return Err(refused);
+            }
+            first = first.or(Some(own));
             (control.0[i], commanded.0[i]) = (Some(own), Some(command));
         }
         Ok(first.map(|_| Controllers { control, commanded }))
+    }
+
+    /// Whether a PLC samples them.
+    #[must_use]
+    pub fn are_sampled(&self) -> bool {
+        cycle(&self.control).is_some()
     }
 
     /// Drives give what their controllers may ask of them at most.

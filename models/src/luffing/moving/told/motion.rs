@@ -18,6 +18,7 @@ use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Role;
 use crate::luffing::moving::carried;
 use crate::luffing::moving::control::ByAxis;
+use crate::luffing::moving::control::continuous::REGULATION;
 use crate::luffing::moving::given::{INPUTS, STATES};
 use crate::luffing::moving::hydraulic::CREEP;
 use crate::luffing::moving::luffs::Luffs;
@@ -208,18 +209,17 @@ pub(crate) fn moved<T: Shown>(luffing: &Description<T>) -> Option<Moved> {
         Some(_) => vec![(&h::DP_LAM, LAMINAR), (&m::OMEGA_C, CREEP)],
         None => Vec::new(),
     };
-    let sample = moving.controllers.and_then(|controllers| {
+    let law = moving.controllers.and_then(|controllers| {
         let rest = Moving {
             controllers: Some(controllers),
             ..rest
         };
         let mut model = starting::<T::Component>(&given, luffing.motion, &rest, start).ok()?;
         model.set_states(&states).ok()?;
-        let held = T::Component::luffing(model.standing().of::<T::Component>().given())
-            .sources
-            .latched;
-        constants.extend(held.iter().flat_map(ByAxis::before));
-        Some(sample::<T>(&model))
+        let own = T::Component::luffing(model.standing().of::<T::Component>().given()).sources;
+        constants.extend(own.latched.iter().flat_map(ByAxis::before));
+        constants.extend(own.regulating.iter().flat_map(ByAxis::values));
+        Some(law::<T>(&model, controllers.are_sampled()))
     });
     let chapter = InMotion {
         time: &m::T,
@@ -228,7 +228,7 @@ pub(crate) fn moved<T: Shown>(luffing: &Description<T>) -> Option<Moved> {
         of: None,
         state: [state(&mut model, [coordinate, rate]), heights::<T>(&mut model)].concat(),
         constants,
-        sections: sections::<T>(&model).into_iter().chain(sample).collect(),
+        sections: sections::<T>(&model).into_iter().chain(law).collect(),
         ramp: Some((&m::T_S, moving.ramp)),
         rules: rules(moving),
         envelope: designed.iter().map(envelope).collect(),
@@ -349,12 +349,23 @@ fn sections<T: Shown>(model: &MovingComponent) -> Vec<Section> {
         .collect()
 }
 
-/// One sample of the controllers, where the model is.
-fn sample<T: Shown>(model: &MovingComponent) -> Section {
-    let (mut trace, assembled) = record(|| recorded::<T>(model, &["sampled"]));
+/// One sample of the controllers, or what they give where they are continuous, where the model is.
+fn law<T: Shown>(model: &MovingComponent, sampled: bool) -> Section {
+    let (id, stage) = match sampled {
+        true => ("motion_control", "sampled"),
+        false => ("motion_regulation", "regulated"),
+    };
+    let (mut trace, assembled) = record(|| recorded::<T>(model, &[stage]));
     trace.steps.drain(..assembled);
+    // Those of the crane stand in sections of their own.
+    let mut seen = Vec::new();
+    trace.steps.retain(|step| {
+        let first = !seen.contains(&step.symbol);
+        seen.push(step.symbol);
+        sampled || (first && REGULATION.contains(&step.symbol))
+    });
     Section {
-        id: "motion_control",
+        id,
         trace,
         ..Section::default()
     }

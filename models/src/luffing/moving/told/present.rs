@@ -87,7 +87,7 @@ pub(super) fn recorded<T: Shown>(model: &MovingComponent, wanted: &[&str]) -> us
     let runner = model.standing().of::<T::Component>();
     let plain = runner.given();
     let given = T::Component::map(plain, &mut |source, (symbol, _), value| {
-        let past = T::Component::GROUPS[usize::from(source.group)].0 == "past";
+        let past = ["past", "regime"].contains(&T::Component::GROUPS[usize::from(source.group)].0);
         match past || !T::Component::gives(plain, symbol) {
             true => Rec::constant(value),
             false => Rec::given(symbol, value),
