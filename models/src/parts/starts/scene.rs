@@ -37,7 +37,10 @@ const OWN: [&[&Symbol]; 3] = [
 pub fn read(start: &Values, n_n: f64, found: &mut Vec<Diagnostic>) -> Option<StartWay<f64>> {
     let kind = start.text("kind").unwrap_or_default();
     for (other, symbols) in KINDS.into_iter().zip(OWN) {
-        for symbol in symbols.iter().filter(|symbol| start.stands(symbol.id) != (kind == other)) {
+        for symbol in symbols
+            .iter()
+            .filter(|symbol| start.stands(symbol.id) != (kind == other))
+        {
             found.push(if kind == other {
                 let what = format!("a start of kind \"{kind}\" without {}", symbol.id);
                 let help = format!("add {} = \"... {}\"  ({})", symbol.id, symbol.display.name, symbol.text);
