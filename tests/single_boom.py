@@ -22,6 +22,23 @@ def scene(text, fidelity, folder, inertias, joint, rope):
     return path
 
 
+def rates(forms, head, drive, mass, swings):
+    """Rates of angle, angular velocity and, where it swings, of the load as a point in the plane: by Lagrange from what the mechanism
+    has, inertia and height of the weights (J) over the angle; the head with two derivatives over it, the drive's moment, viscous and
+    dry friction, and the load's mass."""
+    inertia, height = forms
+    slope, weight = inertia.deriv(), height.deriv()
+    moment, viscous, coulomb = drive
+
+    def of(_, y):
+        phi, omega = y[:2]
+        force = moment - viscous * omega - coulomb - 0.5 * slope(phi) * omega ** 2 - weight(phi)
+        if not swings:
+            return [omega, force / inertia(phi)]
+        return pulled(y, head(phi), (inertia(phi), force), mass)
+    return of
+
+
 def packed(path, name, folder):
     """Its FMUs by their standard."""
     lemnis("fmu", path, "--output", folder)

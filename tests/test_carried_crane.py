@@ -4,6 +4,7 @@ in the book."""
 
 import json
 import math
+import re
 
 import numpy as np
 import pytest
@@ -201,6 +202,20 @@ def test_the_greatest_corner_load_is_that_of_all_reaches(tmp_path):
     assert judged(PORTAL, tmp_path) == found
 
 
+def scanned(path, of, sign=1):
+    """The greatest of a result of all load cases, by the FMU over both angles."""
+    names = [f"{of}[{i}]" for i in (1, 2, 3)]
+
+    def most(theta, psi):
+        times = np.arange(theta.size) * 1.0
+        given = {"theta_1": theta.ravel(), "psi": psi.ravel()}
+        inputs = np.array(list(zip(times, *given.values())), dtype=[(key, float) for key in ("time", *given)])
+        values = simulate_fmu(path, stop_time=times[-1], output_interval=1.0, input=inputs, output=names)
+        return (sign * np.array([values[name] for name in names])).max(axis=0).reshape(theta.shape)
+
+    return most
+
+
 def test_what_is_greatest_within_both_ranges(tmp_path, fmus):
     """Of the ring and its drive: values of the FMU, looked through and then looked through more finely."""
     found = judged(RING, tmp_path, START)
@@ -209,15 +224,7 @@ def test_what_is_greatest_within_both_ranges(tmp_path, fmus):
     for name, of, sign in [("M_top", "M", 1), ("P_low", "P_min", -1), ("M_st_top", "M_st", 1), ("a_start_max", "a_start", 1),
                            ("a_stop_max", "a_stop", 1), ("t_stop_max", "t_stop", 1), ("F_t_max", "F_t", 1)]:
 
-        def most(theta, psi):
-            times = np.arange(theta.size) * 1.0
-            given = {"theta_1": theta.ravel(), "psi": psi.ravel()}
-            inputs = np.array(list(zip(times, *given.values())), dtype=[(key, float) for key in ("time", *given)])
-            values = simulate_fmu(fmus["Ring", "FMI 3"], stop_time=times[-1], output_interval=1.0, input=inputs,
-                                  output=[f"{of}[{i}]" for i in (1, 2, 3)])
-            return (sign * np.array([values[f"{of}[{i}]"] for i in (1, 2, 3)])).max(axis=0).reshape(theta.shape)
-
-        wanted, theta, psi = most_of_both(most, both)
+        wanted, theta, psi = most_of_both(scanned(fmus["Ring", "FMI 3"], of, sign), both)
         at = found[name]["at"]
         # A scan never finds more than there is; on a ridge it finds a little less, and the place less sharply.
         value = sign * found[name]["value"]
@@ -227,3 +234,33 @@ def test_what_is_greatest_within_both_ranges(tmp_path, fmus):
         assert math.remainder(at["psi"] - psi, math.pi) == pytest.approx(0.0, abs=2e-3), (name, at, psi)
         inside += both[0][0] < at["theta_1"] < both[0][1]
     assert inside >= 2
+
+
+def engine(torque):
+    """The ring with an engine of one torque (N·m) at all its speeds."""
+    text = RING.read_text("utf-8")
+    start, end = (text.index(f"[supports.slewing_drive.{name}]") for name in ("start", "brake"))
+    points = "".join(f'[[supports.slewing_drive.start.curve]]\nn_en = "{n} 1/min"\nT_en = "{torque!r} N.m"\n' for n in (250, 1100))
+    kind = '[supports.slewing_drive.start]\nkind = "engine"\nn_idle = "300 1/min"\nn_gov = "1000 1/min"\n'
+    # Where it begins to luff says nothing of where it is weak; what it may take is not judged here.
+    limits = text[text.index("[supports.limits]"): text.index("[luffing]\n")]
+    return text[:start].replace(*START) + kind + points + text[end:].replace(limits, "")
+
+
+def test_an_engine_is_strong_enough_at_every_reach(tmp_path, fmus):
+    """What resists most by a scan of the FMU over both angles: an engine that gives a little less is refused and told where, one that
+    gives a little more starts there, in the longest time of all."""
+    both = ((math.radians(44.0), math.radians(82.0)), (0.0, 2 * np.pi))
+    most, theta, psi = most_of_both(scanned(fmus["Ring", "FMI 3"], "T_0"), both)
+    weak, strong = tmp_path / "weak.toml", tmp_path / "strong.toml"
+    weak.write_text(engine(float(most) * (1 - 1e-4)), encoding="utf-8")
+    said = lemnis("check", weak, expect=1)
+    found = re.search(r"T_0 = ([\d.]+) N\.m resist at psi = ([\d.]+) deg at theta_1 = ([\d.]+) deg", said)
+    assert [float(number) for number in found.groups()] == pytest.approx([most, math.degrees(psi), math.degrees(theta)], rel=1e-4, abs=0.2)
+    strong.write_text(engine(float(most) * (1 + 1e-3)), encoding="utf-8")
+    told = json.loads(lemnis("check", strong, "--json"))["summary"]["t_eng_max"]
+    lemnis("fmu", strong, "--output", tmp_path)
+    wanted, theta, psi = most_of_both(scanned(str(tmp_path / "Portal004Ring.fmu"), "t_eng"), both)
+    assert wanted * (1 - 1e-11) <= told["value"] <= wanted * (1 + 1e-6)
+    assert told["at"]["theta_1"] == pytest.approx(theta, abs=2e-3)
+    assert math.remainder(told["at"]["psi"] - psi, math.pi) == pytest.approx(0.0, abs=2e-3)

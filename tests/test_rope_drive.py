@@ -75,16 +75,7 @@ HUNG = {load: hung(load) for load in (0.0, Q)}
 
 def rates(swings):
     """As in `test_trunk_motion.py`, with the shaft."""
-    _, inertia, height = HUNG[0.0 if swings else Q]
-    slope, weight = inertia.deriv(), height.deriv()
-
-    def of(_, y):
-        phi, omega = y[:2]
-        force = MOMENT - VISCOUS * omega - COULOMB - 0.5 * slope(phi) * omega ** 2 - weight(phi)
-        if not swings:
-            return [omega, force / inertia(phi)]
-        return single_boom.pulled(y, HEAD(phi), (inertia(phi), force), Q)
-    return of
+    return single_boom.rates(HUNG[0.0 if swings else Q][1:], HEAD, (MOMENT, VISCOUS, COULOMB), Q, swings)
 
 
 def text():

@@ -105,16 +105,7 @@ ENERGIES = {load: energies(load) for load in (0.0, Q)}
 
 def rates(swings, moment):
     """Of angle, angular velocity, and load as a point in the plane: from the energies, by Lagrange."""
-    inertia, height = ENERGIES[0.0 if swings else Q]
-    slope, weight = inertia.deriv(), height.deriv()
-
-    def of(_, y):
-        phi, omega = y[:2]
-        force = moment - VISCOUS * omega - COULOMB - 0.5 * slope(phi) * omega ** 2 - weight(phi)
-        if not swings:
-            return [omega, force / inertia(phi)]
-        return single_boom.pulled(y, HEAD(phi), (inertia(phi), force), Q)
-    return of
+    return single_boom.rates(ENERGIES[0.0 if swings else Q], HEAD, (moment, VISCOUS, COULOMB), Q, swings)
 
 
 @pytest.fixture(scope="module", params=["rigid", "swing"])

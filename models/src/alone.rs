@@ -1,9 +1,13 @@
 //! Quantities of a scene that are by themselves what the equations have: nothing else of the scene changes with them, so
 //! that results follow them without the scene being read again.
 
+use std::any::{Any, TypeId};
 use std::ops::Range;
 
+use crate::component::model::Model;
+use crate::component::moving::MovingComponent;
 use crate::component::stages::Source;
+use crate::component::standing::Standing;
 use crate::kernel::variable::Quantity;
 use crate::scene::Scene;
 use crate::vary;
@@ -81,7 +85,22 @@ pub fn alone(scene: &Scene, key: &str) -> Result<Quantity, String> {
         }
         _ => return Err(format!("`{key}` cannot have another value in this scene")),
     }
+    // What moves by equations of another kind follows from what stands.
+    if let Ok(Model::Moving(moving)) = scene.model()
+        && let Some(moving) = (&*moving as &dyn Any).downcast_ref::<MovingComponent>()
+        && kind(moving.standing()) != kind(&standing)
+    {
+        return Err(format!(
+            "`{key}` does not stand by itself: the motion would change with it"
+        ));
+    }
     let all = standing.part().sources();
     let found = all.into_iter().find(|(of, _)| *of == source);
     Ok(found.expect("a source of these equations").1)
+}
+
+/// Of which kind the equations are.
+fn kind(model: &Standing) -> TypeId {
+    let part: &dyn Any = model.part();
+    part.type_id()
 }

@@ -220,7 +220,7 @@ pub fn vocabularies() -> impl Iterator<Item = (&'static str, &'static Vocabulary
 }
 
 /// Symbols that several mechanisms share, with words of their own.
-pub static LENT: [&Vocabulary; 1] = [&luffing::aboard::VOCABULARY];
+pub static LENT: [&Vocabulary; 2] = [&luffing::aboard::VOCABULARY, &slewing::symbols::SLIPPING];
 
 /// What the teller of a mechanism says.
 fn told<R>(mut of: impl FnMut(&Teller) -> Option<R>) -> R {

@@ -13,7 +13,7 @@ use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::luffing;
 use lemnis_models::luffing::double_link;
 use lemnis_models::parts::{
-    air, ground, hanging, hydraulics, motor, shaping, starts, teeth, turntable, turntable_control,
+    air, ground, hanging, hydraulics, motor, shaping, slip, starts, teeth, turntable, turntable_control,
 };
 use lemnis_models::registry;
 use lemnis_models::slewing;
@@ -23,7 +23,7 @@ use lemnis_models::sway::pendulum;
 use lemnis_models::unloader;
 
 /// Every mechanism with its table.
-const TABLES: [(&str, &[&Symbol]); 38] = [
+const TABLES: [(&str, &[&Symbol]); 39] = [
     ("The double-link luffing mechanism", double_link::symbols::ALL),
     (
         "The double-link luffing mechanism in motion",
@@ -50,6 +50,7 @@ const TABLES: [(&str, &[&Symbol]); 38] = [
     ("Air around a load on its rope", air::ALL),
     ("Ground below a load on its rope", ground::ALL),
     ("Slewing by itself", slewing::symbols::ALL),
+    ("A coupling that slips in the slewing drive", slip::ALL),
     (
         "A mobile crane on its supports, seen from above: x forward, y to the left, angles counter-clockwise",
         mobile::symbols::ALL,

@@ -9,7 +9,7 @@ use toml::Table;
 
 use crate::luffing::working_range;
 use crate::scene::{Draw, Node};
-use crate::upper::{slewing, weightless};
+use crate::upper::{moving, slewing, weightless};
 
 /// A result that every level has.
 pub const RESULT: (&str, &Symbol) = ("H_u_all", &s::H_U_ALL);
@@ -31,6 +31,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     }
     slewing(&mut n, [size, weight, 1.0]);
     working_range(&mut n, [-PI, PI]);
+    moving(&mut n);
     table
 }
 

@@ -10,7 +10,7 @@ use toml::Table;
 use crate::bodies::{list, row};
 use crate::luffing::working_range;
 use crate::scene::{Draw, Node};
-use crate::upper::{slewing, weightless};
+use crate::upper::{moving, slewing, weightless};
 
 /// A result that every level has.
 pub const RESULT: (&str, &Symbol) = ("P_all", &s::P_ALL);
@@ -42,6 +42,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
         n.remove(&["life"]);
     }
     working_range(&mut n, [-PI, PI]);
+    moving(&mut n);
     table
 }
 

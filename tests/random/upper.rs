@@ -1,5 +1,8 @@
 //! What slews on a support in random scenes: bodies, load, slope, wind areas, cases.
 
+use std::f64::consts::PI;
+
+use lemnis_models::parts::turntable::MOST_SPIN;
 use lemnis_models::supports::drive::symbols as d;
 use lemnis_models::supports::upper::symbols as s;
 
@@ -55,6 +58,29 @@ pub fn slewing(n: &mut Node, [size, weight, far]: [f64; 3]) {
         }
         row(draw, &own)
     });
+}
+
+/// What slews may move behind a coupling, as fast as its head stays on its crane; without friction, of which a coupling of any
+/// drive carries enough, and on level ground.
+pub fn moving(n: &mut Node) {
+    let coupled = n.child("slewing_drive").is_some_and(|drive| drive.has("coupling"));
+    let stands = n.has("slope") || !n.has("R") || !coupled;
+    n.remove(&["dynamics"]);
+    n.keep("slewing", !stands && n.has("slewing"));
+    let start = n.draw.between(-PI, PI);
+    let Some(mut own) = n.child("slewing") else { return };
+    own.put("fidelity", "rigid");
+    own.remove(&["c_sl", "M_Fsl", "M_sl", "omega_sl"]);
+    for (name, angle) in [("psi_sl", start), ("psi_min", start - 0.5), ("psi_max", start + 1.0)] {
+        own.keep(name, true);
+        own.set(name, angle);
+    }
+    let most = 0.99 * (MOST_SPIN * n.draw.g / n.get("R")).sqrt();
+    let mut motion = n.child("motion").expect("required");
+    motion.remove(&["input"]);
+    if motion.get("speed") > most {
+        motion.set("speed", most);
+    }
 }
 
 /// What makes a drive legal, of a crane of a size (m) and a weight (N); whether there is one, and its brake.

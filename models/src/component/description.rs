@@ -64,8 +64,8 @@ pub trait Described: Clone + fmt::Debug + Send + Sync + Sized + 'static {
     fn given(this: &Description<Self>) -> <Self::Component as Stages>::Given<f64>;
 
     /// What else cannot be of one that has been read without a mistake: here, that some result does not exist all over
-    /// the working range.
-    fn check(this: &Description<Self>, v: &Values, found: &mut Vec<Diagnostic>) {
+    /// the working range. What follows from its results is put there.
+    fn check(this: &mut Description<Self>, v: &Values, found: &mut Vec<Diagnostic>) {
         possible(this, v, found);
     }
 
@@ -200,6 +200,25 @@ impl<T> DerefMut for Description<T> {
     }
 }
 
+/// A mechanism in motion as another one has it.
+pub trait MovedBeside: fmt::Debug + Send + Sync {
+    /// What runs, without what the scene tells over time.
+    fn run(&self) -> Option<Result<MovingComponent, Fault>>;
+
+    /// How that is solved.
+    fn solved(&self) -> Option<Solver>;
+}
+
+impl<T: Described> MovedBeside for Description<T> {
+    fn run(&self) -> Option<Result<MovingComponent, Fault>> {
+        T::moving(self)
+    }
+
+    fn solved(&self) -> Option<Solver> {
+        self.own.solver()
+    }
+}
+
 /// Refuses a mechanism of which some result does not exist all over its working range.
 pub fn possible<T: Described>(this: &Description<T>, v: &Values, found: &mut Vec<Diagnostic>) {
     let fault = this.at_level(None).and_then(|mut model| {
@@ -247,12 +266,13 @@ impl<T: Described> Description<T> {
         }
     }
 
-    fn read(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<Description<T>> {
+    /// Of a checked table under the acceleration of gravity (m/s²); mistakes go to `found`.
+    pub fn read(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<Description<T>> {
         let before = found.len();
         let read = T::read(v, gravity, found);
         let table = interpolation(v, found);
         let (own, motion) = read?;
-        let described = Description {
+        let mut described = Description {
             own,
             motion,
             table,
@@ -268,7 +288,7 @@ impl<T: Described> Description<T> {
         }
         // What could not be read is missing in it: its results are not judged before that is mended.
         if found.is_empty() {
-            T::check(&described, v, found);
+            T::check(&mut described, v, found);
         }
         if found.is_empty()
             && let Some(moving) = described.moving()

@@ -37,6 +37,7 @@ pub mod sheet;
 pub mod spread;
 pub mod stages;
 pub mod standing;
+pub mod starting;
 pub mod table;
 pub mod telling;
 pub mod whole;

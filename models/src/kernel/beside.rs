@@ -3,7 +3,8 @@
 use std::ops::Range;
 
 use crate::kernel::diagnostic::Diagnostic;
-use crate::kernel::schema::{KIND, Key, Kind, Value, Values};
+use crate::kernel::schema::{GivenNumber, KIND, Key, Kind, Value, Values};
+use crate::kernel::symbol::Symbol;
 
 impl Values {
     /// Moves a table from the top of the scene to the one that it is a part of.
@@ -65,6 +66,52 @@ impl Values {
         let at = whole.entries.partition_point(|(before, ..)| *before < part);
         whole.entries.insert(at, (part, Value::Table(table), place));
         Ok(())
+    }
+
+    /// The same against other keys, with what something else gives: tables, and quantities (SI), inputs or not, each where these
+    /// keys have it.
+    #[must_use]
+    pub fn completed(
+        &self,
+        keys: &'static [Key],
+        tables: &[(&'static str, &Values)],
+        quantities: &[(&'static Symbol, f64, bool)],
+    ) -> Values {
+        let mut all = Values { keys, ..self.clone() };
+        for (name, table) in tables {
+            all.put(name, Value::Table((*table).clone()));
+        }
+        for key in keys {
+            let own = quantities
+                .iter()
+                .find(|(symbol, ..)| key.number().is_some_and(|(known, _)| known == *symbol));
+            if let Some(&(_, value, input)) = own {
+                let number = GivenNumber {
+                    value,
+                    mass: None,
+                    input,
+                    course: None,
+                    source: None,
+                };
+                all.put(key.name, Value::Number(number));
+            }
+            let Kind::Table(within) = key.kind else { continue };
+            let table = Values {
+                span: self.span.clone(),
+                ..Values::default()
+            }
+            .completed(within, &[], quantities);
+            if !table.entries.is_empty() && !all.has(key.name) {
+                all.put(key.name, Value::Table(table));
+            }
+        }
+        all
+    }
+
+    /// Puts a value to its place in the order of names; it stands nowhere but in the table.
+    fn put(&mut self, name: &'static str, value: Value) {
+        let at = self.entries.partition_point(|(before, ..)| *before < name);
+        self.entries.insert(at, (name, value, self.span.clone()));
     }
 
     /// Puts other keys in the place of those against which it was checked; the first entry that is none of them, as it would be

@@ -22,6 +22,7 @@ pub mod plane;
 pub mod polyline;
 pub mod safety;
 pub mod shaping;
+pub mod slip;
 pub mod smooth_curve;
 pub mod solid;
 pub mod solver;

@@ -43,6 +43,28 @@ pub struct SlewingJoint {
     pub stops: [f64; 2],
 }
 
+/// What carries all that slews gives to its motion: inertia (kg·m²); reach (m) and load (N), each with whether it is an input; slope
+/// (rad) with the weight (N) of what slews and its lever (m); of the coupling inertia of the drive's side (kg·m²) and limit (N·m).
+#[derive(Clone, Copy, Debug)]
+pub struct Borne {
+    pub inertia: f64,
+    pub reach: (f64, bool),
+    pub load: (f64, bool),
+    pub slope: Option<[f64; 3]>,
+    pub side: f64,
+    pub limit: f64,
+}
+
+/// Refuses a table that says nothing of the inertia of what slews.
+#[must_use]
+pub fn without_inertia(table: &Values) -> Option<Diagnostic> {
+    let id = J_SL.id;
+    (!table.stands(id)).then(|| {
+        let help = format!("add {id} = \"9000000 kg.m2\", or what it is");
+        table.refuse(id, format!("`{id}` is missing in [slewing]"), "needed here", help)
+    })
+}
+
 /// Most centrifugal acceleration of the head that a speed may give or a slewing drive lead to, over that of gravity.
 pub const MOST_SPIN: f64 = 10.0;
 

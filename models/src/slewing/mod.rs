@@ -32,6 +32,7 @@
 //! | `slewing.events` | [`motion::SlewingEvents::new`], [`swinging::slackening`], [`coupled_sides::CouplingEvents::new`] | events |
 
 pub mod air;
+pub mod beside;
 pub mod blows;
 mod bounds;
 pub mod control;

@@ -27,6 +27,7 @@ use crate::parts::hanging::{self, HangingLoad};
 use crate::parts::motion::Motion;
 use crate::parts::plane::Point;
 use crate::parts::shaping;
+use crate::parts::slip;
 use crate::parts::turntable::{self as joint, SlewingJoint};
 use crate::parts::turntable_control::{self, AXIS, CONTINUOUS, CONTROL};
 use crate::slewing::bounds::Slewed;
@@ -40,7 +41,7 @@ use crate::slewing::turning::{Ground, Hung};
 
 /// Keys of `[slewing]`: those of the joint, as every crane that slews has them, and what nothing else gives.
 pub const KEYS: &[Key] = keys! { joint:
-    J_SL >= 0, C_SL >= 0 [optional], M_F_SL >= 0 [optional], M_SL [over_time, optional], M_B_SL >= 0 [over_time, optional], PSI_SL [optional],
+    J_SL >= 0 [optional], C_SL >= 0 [optional], M_F_SL >= 0 [optional], M_SL [over_time, optional], M_B_SL >= 0 [over_time, optional], PSI_SL [optional],
     OMEGA_SL [optional], PSI_MIN [optional], PSI_MAX [optional], CHI_R [optional];
     Key::choice(
         "fidelity",
@@ -52,7 +53,7 @@ pub const KEYS: &[Key] = keys! { joint:
     Key::quantity(&s::PHI_R, Sign::Any).optional(),
     Key::quantity(&s::R, Sign::NotNegative).or_input().optional(),
     Key::weight(&s::Q).or_input().optional(),
-    Key::part("dynamics", DYNAMICS, "How slewing by itself is solved."),
+    SOLVED,
     Key::part("motion", MOTION, "Working range of slewing by itself."),
     Key::part("slope", SLOPE, "The ground that is not level, and what stands on it."),
     AIR,
@@ -81,6 +82,9 @@ const COUPLING: Key = Key::part(
 );
 
 static DYNAMICS: &[Key] = keys! { s: STEP > 0 };
+
+/// How the motion is solved.
+pub const SOLVED: Key = Key::part("dynamics", DYNAMICS, "How slewing by itself is solved.");
 
 /// Keys that say something of a motion alone, and of a load that swings.
 const MOVING: [&str; 9] = [
@@ -127,6 +131,7 @@ fn suits(v: &Values, found: &mut Vec<Diagnostic>) -> [bool; 2] {
             found.push(v.refuse(id, format!("`{id}` is missing in [slewing]"), "nothing gives it", help));
         }
     }
+    found.extend(joint::without_inertia(v));
     if !v.has("motion") {
         let help = "add from, to, step and speed in [slewing.motion], or a [luffing]";
         found.push(v.refuse("motion", "`motion` is missing in [slewing]", "needed here", help));
@@ -221,6 +226,7 @@ impl Described for SlewingScene {
             hanging::ALL,
             air::ALL,
             gravity::ALL,
+            slip::ALL,
         ],
     };
 

@@ -1,13 +1,20 @@
 //! Every quantity of slewing by itself, besides those of its joint.
 
+use crate::component::description::Vocabulary;
 pub use crate::kernel::gravity::G;
 use crate::kernel::symbol::symbols;
 pub use crate::parts::air::{CHI_AIR, F_AIR, P_AIR, V_AIR};
 pub use crate::parts::hanging::{
     ALPHA_0SL, D_V_QX, D_V_QY, D_V_QZ, D_X_Q, D_Y_Q, D_Z_Q, L_R, PHI_R, S_R, V_QX, V_QY, V_QZ, X_Q, Y_Q, Z_Q, Z_ROPE,
 };
+use crate::parts::slip;
+pub use crate::parts::slip::{
+    D_OMEGA_D, D_PSI_SLIP, E_D, J_D, M_CD, M_LIM, M_RD, OMEGA_D, P_SLIP, PSI_SLIP, SLIP, W_SLIP, WAY_D, Z_C_LOOSE,
+    Z_C_REST, Z_D_LOOSE, Z_D_REST,
+};
 pub use crate::parts::turntable::{
-    CHI_R, D_OMEGA_SL, D_PSI_SL, M_B_SL, M_R_SL, M_SL, OMEGA_SL, PSI_SL, Z_SL_HIGH, Z_SL_LOOSE, Z_SL_LOW, Z_SL_REST,
+    CHI_R, D_OMEGA_SL, D_PSI_SL, J_SL, M_B_SL, M_R_SL, M_SL, OMEGA_SL, PSI_SL, Z_SL_HIGH, Z_SL_LOOSE, Z_SL_LOW,
+    Z_SL_REST,
 };
 pub use crate::parts::turntable_control::{
     D_EPSILON_SL, D_OMEGA_R_SL, E_R_SL, M_A_SL, M_I_SL, OMEGA_0_SL, OMEGA_C_SL, OMEGA_S_SL, Z_SL_LIMIT, Z_SL_RAMP,
@@ -23,8 +30,6 @@ symbols! {
     GAMMA_S: "gamma_s" "gamma_\"s\"" RAD / DEG [from_to(0.0, 0.5)], "Slope on which the crane stands; the slewing angle counts from its downhill direction.", "input";
     G_U: "G_u" "G_u" N / KN [not_negative], "Weight of all that slews, without the load.", "input";
     R_U: "r_u" "r_u" M / M, "Distance of the centre of gravity of all that slews from the slewing axis, without the load; positive on the load's side.", "input";
-    J_D: "J_d" "J_\"d\"" KG_M2 / T_M2 [positive], "Inertia of the drive's side of the coupling, motors and brakes, reduced to the slewing axis.", "[Ports001, 6.5.4]";
-    M_LIM: "M_lim" "M_\"lim\"" N_M / KN_M [positive], "Moment at the slewing axis at which the coupling slips.", "[Ports001, 6.5.4]";
     STEP: "step" "h" S / MS [positive], "Longest step of the solver.", "input";
 
     // Results at any angle.
@@ -45,26 +50,16 @@ symbols! {
     SLACK: "slack" "sigma" ONE / ONE, "Whether the rope hangs slack (1) or is taut (0).", "state";
     WAY: "way" "w" ONE / ONE, "Whether slewing rests (0), or which way it turns (1, -1).", "state";
 
-    // Of a coupling that slips.
-    OMEGA_D: "omega_d" "omega_\"d\"" RAD_PER_S / DEG_PER_S, "Angular velocity of the drive's side of the coupling, reduced to the slewing axis; that of slewing while the coupling sticks.", "equations of motion";
-    PSI_SLIP: "psi_slip" "psi_\"slip\"" RAD / DEG, "Angle through which the coupling has slipped, to and fro together.", "equations of motion";
-    W_SLIP: "W_slip" "W_\"slip\"" J / KJ, "Heat of the coupling: energy that its slipping has taken.", "equations of motion";
-    P_SLIP: "P_slip" "P_\"slip\"" W / KW, "Power that the slipping of the coupling takes.", "equations of motion";
-    M_CD: "M_cd" "M_\"c\"" N_M / KN_M, "Moment that the coupling passes on to what slews; while it sticks, what it must: at rest the least by which both sides stay.", "[Ports001, 6.5.4]";
-    M_RD: "M_Rd" "M_\"R d\"" N_M / KN_M, "Moment of the brake on the drive's side while the coupling slips; while it sticks, the brake is a part of what resists slewing.", "[Ports001, 6.5.4]";
-    E_D: "E_d" "E_\"d\"" J / KJ [not_negative], "Kinetic energy of the drive's side.", "Newton and Euler";
-    D_OMEGA_D: "der(omega_d)" "dot(omega)_\"d\"" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of the drive's side.", "equations of motion";
-    D_PSI_SLIP: "der(psi_slip)" "dot(psi)_\"slip\"" RAD_PER_S / DEG_PER_S, "Angular velocity with which the coupling slips, by amount.", "equations of motion";
-    SLIP: "slip" "s" ONE / ONE, "Whether the coupling sticks (0), or which way its drive's side runs from what slews (1, -1).", "state";
-    WAY_D: "way_d" "w_\"d\"" ONE / ONE, "Whether the drive's side rests (0) while the coupling slips, or which way it turns (1, -1).", "state";
-    Z_D_REST: "z.d_rest" "z_20" ONE / ONE, "Falls below zero where the drive's side comes to rest while the coupling slips, or breaks loose to the right.", "event";
-    Z_D_LOOSE: "z.d_loose" "z_21" ONE / ONE, "Falls below zero where the drive's side breaks loose to the left while the coupling slips.", "event";
-    Z_C_REST: "z.c_rest" "z_22" ONE / ONE, "Falls below zero where the coupling sticks again, or begins to slip backward.", "event";
-    Z_C_LOOSE: "z.c_loose" "z_23" ONE / ONE, "Falls below zero where the coupling begins to slip forward.", "event";
-
     // The whole range.
     M_GAMMA_MAX: "M_gamma_max" "M_(gamma,max)" N_M / KN_M, "Greatest moment of the slope in the working range, by amount.", "derived";
     M_ST_MAX: "M_st_max" "M_(\"st\",max)" N_M / KN_M, "Greatest moment of steady slewing in the working range, by amount.", "derived";
     P_ST_MAX: "P_st_max" "P_(\"st\",max)" W / KW, "Greatest power of steady slewing in the working range, by amount.", "derived";
     AGREEMENT: "agreement" "delta" ONE / ONE, "Difference of two independent ways, relative to the largest value.", "derived";
 }
+
+/// Words for what a coupling has that slips.
+pub static SLIPPING: Vocabulary = Vocabulary {
+    words: "slip_symbol",
+    own: &[slip::ALL],
+    shared: &[],
+};

@@ -100,7 +100,7 @@ impl Described for SteeringScene {
     }
 
     /// Whether it can be steered all over its working range is found while it is read.
-    fn check(_: &Steering, _: &Values, _: &mut Vec<Diagnostic>) {}
+    fn check(_: &mut Steering, _: &Values, _: &mut Vec<Diagnostic>) {}
 
     fn levels(&self) -> Vec<&'static str> {
         let moving = self.moving.iter().map(|_| "hydraulic");

@@ -268,7 +268,7 @@ impl Described for UnloaderScene {
         this.given.clone()
     }
 
-    fn check(this: &Description<UnloaderScene>, v: &Values, found: &mut Vec<Diagnostic>) {
+    fn check(this: &mut Description<UnloaderScene>, v: &Values, found: &mut Vec<Diagnostic>) {
         let mut known = GrabUnloader::new::<f64>(this.given.clone());
         let worked = known.worked().cloned().unwrap_or_default();
         for ((number, phase), table) in (1..).zip(&worked).zip(v.tables("phases")) {

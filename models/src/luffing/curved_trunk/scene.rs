@@ -228,7 +228,7 @@ impl Described for CurvedTrunk {
     }
 
     /// Besides what all booms are checked for: a tie that would have to push.
-    fn check(this: &Description<CurvedTrunk>, v: &Values, found: &mut Vec<Diagnostic>) {
+    fn check(this: &mut Description<CurvedTrunk>, v: &Values, found: &mut Vec<Diagnostic>) {
         let mut model = this.standing();
         told::check::<CurvedTrunkBoom>(&model, &this.cases, v, found);
         if this.moving.is_some() {

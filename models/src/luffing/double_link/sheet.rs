@@ -99,7 +99,7 @@ impl Described for LuffingScene {
     }
 
     /// Checks that its cases exist all over the working range, and the mechanism at each published row.
-    fn check(luffing: &Luffing, v: &Values, found: &mut Vec<Diagnostic>) {
+    fn check(luffing: &mut Luffing, v: &Values, found: &mut Vec<Diagnostic>) {
         resistances::told::check::<DoubleLink>(&luffing.standing(), &luffing.cases, v, found);
         if luffing.moving.is_some() {
             drive::hauling::check(&mut luffing.standing(), v, found);

@@ -187,7 +187,7 @@ impl Described for Ellipsograph {
         }
     }
 
-    fn check(this: &Description<Ellipsograph>, v: &Values, found: &mut Vec<Diagnostic>) {
+    fn check(this: &mut Description<Ellipsograph>, v: &Values, found: &mut Vec<Diagnostic>) {
         possible(this, v, found);
         told::check::<EllipsographBoom>(&this.standing(), &this.cases, v, found);
         if this.moving.is_some() {

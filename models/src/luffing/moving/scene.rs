@@ -22,7 +22,7 @@ use crate::parts::hoist::HoistCommand;
 use crate::parts::hydraulics::parts::OilParts;
 use crate::parts::joint::JointDrive;
 use crate::parts::motion::{Motion, short_step};
-use crate::parts::turntable::{SlewingJoint, too_fast};
+use crate::parts::turntable::{SlewingJoint, too_fast, without_inertia};
 use crate::parts::turntable_control;
 
 /// Keys of `[luffing.dynamics]` beside the inertias of a mechanism's bodies.
@@ -467,6 +467,10 @@ fn slewing(v: &Values, table: &Values, swings: bool, found: &mut Vec<Diagnostic>
             "remove it, or set fidelity = \"swing\"",
         );
         return None;
+    }
+    // Of a table within that of the mechanism it has been told.
+    if found.is_empty() {
+        found.extend(without_inertia(table));
     }
     let joint = SlewingJoint::read(table, found)?;
     Some(SlewingStart {

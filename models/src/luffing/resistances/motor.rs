@@ -11,6 +11,7 @@ use crate::luffing::resistances::given::{Case, CaseMotor, CasesChoice};
 use crate::luffing::resistances::moments::Resisted;
 use crate::luffing::resistances::sums::Sums;
 use crate::luffing::resistances::symbols as s;
+use crate::parts::starts::RatedPoint;
 
 impl<C: Calc> CaseMotor<C> {
     /// Travel of the drive for one radian of the motor, in m.
@@ -33,9 +34,9 @@ impl<C: Calc> CaseMotor<C> {
         self.j + sums.inertia[0] * (self.arm() / sums.way[0]).square() * loss
     }
 
-    /// P_N / (2 π n_N), in N·m.
+    /// Rated torque, in N·m.
     pub fn rated(&self) -> C {
-        self.p_n / (C::constant(TAU) * self.n_n)
+        RatedPoint::new(self.p_n, self.n_n).torque
     }
 }
 

@@ -34,11 +34,8 @@ results! { each Started as m => {
 } }
 
 impl<C: Calc> CaseMotor<C> {
-    fn point(&self) -> RatedPoint<C> {
-        RatedPoint {
-            torque: self.rated(),
-            n: self.n_n,
-        }
+    pub(super) fn point(&self) -> RatedPoint<C> {
+        RatedPoint::new(self.p_n, self.n_n)
     }
 }
 

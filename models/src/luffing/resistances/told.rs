@@ -9,6 +9,7 @@ use crate::component::running::Running;
 use crate::component::sheet::{CasesSheet, Summary, Table, WorkedCase};
 use crate::component::stages::Found;
 use crate::component::standing::Standing;
+use crate::component::starting::start_curve;
 use crate::component::telling::{explained, fine, lines, values};
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::group::Group;
@@ -190,6 +191,14 @@ pub fn chapter<T: Described<Component: Resists>>(
         });
         told_before.extend_from_slice(outline);
     }
+    let mut curves = lines(told, model, &mut peaks, &CURVES);
+    let hardest = slots(model, &s::T_0).filter_map(|slot| peaks.of(model, &slot, Most::Greatest));
+    let hardest = hardest.max_by(|one, other| one.extreme.value.total_cmp(&other.extreme.value));
+    let motor = cases.motor.map(|motor| motor.point());
+    if let Some((hardest, rated)) = hardest.zip(motor) {
+        let at = Summary::at(&s::T_0, hardest.extreme, coordinate).at;
+        curves.extend(at.and_then(|(_, at)| start_curve(cases.start.as_ref(), &rated, model, at)));
+    }
     let mut ranges = Vec::new();
     for (id, columns) in [
         ("case_range", COLUMNS),
@@ -210,7 +219,7 @@ pub fn chapter<T: Described<Component: Resists>>(
         greatest: all.into_iter().filter(|all| !all.is_empty()).collect(),
         beside: beside.into_iter().filter(|all| !all.is_empty()).collect(),
         ranges,
-        curves: lines(told, model, &mut peaks, &CURVES),
+        curves,
         judged: Vec::new(),
     })
 }

@@ -201,7 +201,7 @@ impl Described for Rope {
         }
     }
 
-    fn check(this: &Description<Rope>, v: &Values, found: &mut Vec<Diagnostic>) {
+    fn check(this: &mut Description<Rope>, v: &Values, found: &mut Vec<Diagnostic>) {
         possible(this, v, found);
         told::check::<RopeBoom>(&this.standing(), &this.cases, v, found);
     }

@@ -56,6 +56,13 @@ impl EngineStart<f64> {
     pub fn runs(&self, n: f64) -> bool {
         n >= self.speeds.idle && n <= self.speeds.most
     }
+
+    /// Speeds (1/s) and torques (N·m) behind the clutch, from rest to the governed speed.
+    #[must_use]
+    pub fn over_speed(&self) -> Vec<[f64; 2]> {
+        let slips = [0.0, self.at_idle()];
+        std::iter::once(slips).chain(self.through(self.speeds.most)).collect()
+    }
 }
 
 impl<C: Calc> EngineStart<C> {

@@ -13,6 +13,9 @@ pub mod scene;
 pub mod slip;
 pub mod way;
 
+use std::f64::consts::TAU;
+
+use crate::kernel::calc::Calc;
 use crate::kernel::group::quantities;
 use crate::kernel::symbol::{Range, symbols};
 use crate::parts::starts as s;
@@ -44,6 +47,8 @@ symbols! {
     T_CL: "t_cl" "t_(c i)" S / S [infinite("where the motor cannot start")], "Time in which the clutch slips in a start from this position.", "equilibrium";
     I_E: "I_e" "I_(e i)" ONE / ONE [infinite("where the motor cannot start")], "Integral over the speed in parts of that at idle, from there to that of the case, of the engine's greatest torque over what its torque has to spare.", "equilibrium";
     T_ENG: "t_eng" "t_(e i)" S / S [infinite("where the motor cannot start")], "Time of a start from this position by the clutch and along the engine's torque curve.", "[Ports001, 6.5.3]";
+    N_WAY: "n_way" "n" PER_S / PER_MIN, "Speed on the way of a start: of the motor's shaft, of an engine that behind its clutch.", "derived";
+    T_WAY: "T_way" "T" N_M / N_M, "Torque there on the way of a start.", "derived";
     A_ENG: "a_eng" "a_(e i)" M_PER_S2 / M_PER_S2, "Mean horizontal acceleration of the head in such a start.", "[Ports001, 6.5.3]";
 }
 
@@ -62,6 +67,16 @@ quantities! {
 pub struct RatedPoint<C> {
     pub torque: C,
     pub n: C,
+}
+
+impl<C: Calc> RatedPoint<C> {
+    /// T_N = P_N / (2π n_N), of a power (W) at a speed (1/s).
+    pub fn new(power: C, n: C) -> RatedPoint<C> {
+        RatedPoint {
+            torque: power / (C::constant(TAU) * n),
+            n,
+        }
+    }
 }
 
 /// What a start leads to, and what it must overcome, at the motor's shaft: speed (1/s, either sign), torque against steady motion

@@ -53,6 +53,22 @@ impl<C: Calc> SlipStart<C> {
     }
 }
 
+/// Pieces of the curve as it is drawn.
+const DRAWN: u32 = 120;
+
+impl SlipStart<f64> {
+    /// Speeds (1/s) and torques (N·m) of the motor, from rest to its synchronous speed.
+    #[must_use]
+    pub fn over_speed(&self, rated: &RatedPoint<f64>) -> Vec<[f64; 2]> {
+        let (at, breakdown) = (self.breakdown(rated), self.lambda * rated.torque);
+        let point = |i: u32| {
+            let slip = f64::from(i) / f64::from(DRAWN);
+            [self.n_0 * (1.0 - slip), breakdown * SlipStart::share(slip, at)]
+        };
+        (0..=DRAWN).rev().map(point).collect()
+    }
+}
+
 /// ∫ ds / (T(s)/T_b − w) from a slip to 1. The integrand is infinite beyond both ends, where motor and resistance are equal:
 /// each piece is half as far from there as the one before.
 fn spared<C: Calc>(from: C, at: C, w: C) -> C {

@@ -21,6 +21,19 @@ either!(StartWay {
     EngineStart
 });
 
+impl StartWay<f64> {
+    /// Speeds (1/s) and torques (N·m) that a motor of a rated point gives on the way; nothing on an inverter, which gives what the
+    /// ramp asks for.
+    #[must_use]
+    pub fn over_speed(&self, rated: &RatedPoint<f64>) -> Vec<[f64; 2]> {
+        match self {
+            StartWay::SlipStart(slip) => slip.over_speed(rated),
+            StartWay::InverterStart(_) => Vec::new(),
+            StartWay::EngineStart(engine) => engine.over_speed(),
+        }
+    }
+}
+
 /// Results of each way.
 pub const SLIPPED: &[&Symbol] = listed!(s: S_K, T_BD, S_F, T_LEAST, I_S, T_SLIP, A_SLIP);
 pub const RAMPED: &[&Symbol] = listed!(s: T_U, T_RAMP, T_INV, A_INV);

@@ -7,6 +7,7 @@ use crate::luffing::aboard::{OMEGA_1, THETA_1, THETA_A, THETA_E};
 use crate::luffing::kinds::GIVEN;
 use crate::parts::starts::engine;
 use crate::supports::column::symbols as s;
+use crate::supports::drive::moving;
 use crate::supports::drive::outline as drive;
 use crate::supports::drive::symbols as d;
 use crate::supports::upper::symbols as u;
@@ -18,7 +19,7 @@ pub const OUTLINE: Outline = Outline {
         upper_slope "slope", upper_areas "areas",
         upper_cases "load_cases", column_bearings "bearings", column_friction "friction",
         column_counterweight "counterweight", turning_drive "slewing_drive", turning_stages "slewing_drive.stages", case_start "slewing_drive.start", case_curve "slewing_drive.start.curve", turning_brake "slewing_drive.brake", turning_coupling "slewing_drive.coupling", turning_pinion "slewing_drive.pinion",
-        motion, limits
+        slewing, motion, limits
     ),
     constants: &CONSTANTS,
     sections: &SECTIONS,
@@ -36,6 +37,7 @@ pub const OUTLINE: Outline = Outline {
         ("upper_cases", listed!(u: K_Q, P_W, CHI_W)),
         ("upper_cases", listed!(d: N_S, ALPHA_Q, K_B)),
         engine::USE,
+        moving::USE,
     ],
     forces: listed!(s: V, H, M, H_U, H_F),
     worst: &[("greatest_bearing_force", &s::H_U_TOP)],
@@ -68,7 +70,7 @@ const OWN_CURVES: [Line; 4] = [
     ("column_foot", None, &s::H_F),
 ];
 
-const EXTREMES: [Greatest; 29] = joined(OWN_EXTREMES, drive::EXTREMES);
+const EXTREMES: [Greatest; 30] = joined(OWN_EXTREMES, drive::EXTREMES);
 
 const OWN_EXTREMES: [Greatest; 9] = [
     Greatest::new(&s::V_TOP, Most::Greatest, &s::V),

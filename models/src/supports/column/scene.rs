@@ -3,7 +3,8 @@
 use crate::component::aside::Aside;
 use crate::component::description::{Described, Description, Vocabulary};
 use crate::component::draw::{Draw, along, polar};
-use crate::component::mechanism::Entry;
+use crate::component::mechanism::{Entry, Solver};
+use crate::component::moving::MovingComponent;
 use crate::component::outline::{Limit, Outline};
 use crate::component::sheet::{Check, Curve, Drawing, Sheet};
 use crate::component::stages::Stages;
@@ -13,10 +14,13 @@ use crate::kernel::group::One;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Values};
 use crate::kernel::symbol::Symbol;
+use crate::kernel::variable::Fault;
 use crate::luffing::kinds::CARRIED;
 use crate::luffing::luffed::Luffer;
 use crate::parts::motion::Motion;
 use crate::parts::plane::Point;
+use crate::slewing::beside::beside;
+use crate::slewing::scene::SOLVED;
 use crate::supports::column::checks::about_the_foot;
 use crate::supports::column::counterweight::EvenedAt;
 use crate::supports::column::friction::ColumnFriction;
@@ -27,8 +31,9 @@ use crate::supports::column::symbols as s;
 use crate::supports::drive;
 use crate::supports::drive::able::able;
 use crate::supports::drive::checks::{StandingThere, about_the_axis, through_the_gear};
+use crate::supports::drive::moving::{self, SLEWING, moved};
 use crate::supports::drive::scene::{DRIVE, TurningScene};
-use crate::supports::drive::told::shafts;
+use crate::supports::drive::told::{shafts, starts};
 use crate::supports::plan::{LeftOpen, each};
 use crate::supports::upper;
 use crate::supports::upper::keys::{self, AREAS, LOAD_CASES, MOTION, SLOPE, UPPER};
@@ -43,7 +48,7 @@ pub const KEYS: &[Key] = keys! { s:
     Key::part("bearings", BEARINGS, "Sizes of the three bearings, for their pressures and friction."),
     Key::part("friction", FRICTION, "Friction of the three bearings."),
     Key::part("counterweight", COUNTERWEIGHT, "Where a counterweight would make the moment without load minus that with it."),
-    DRIVE, MOTION,
+    DRIVE, MOTION, SLEWING, SOLVED,
     Key::part("limits", LIMITS, "What results may come to at most.")
 };
 
@@ -110,6 +115,8 @@ impl Described for ColumnScene {
     const ID: &'static str = "slewing_column";
     const TABLE: &'static str = "supports";
     const OUTLINE: &'static Outline = &OUTLINE;
+    const FOLLOWED: &'static [&'static Symbol] = moving::FOLLOWED;
+    const TOGETHER: &'static [[&'static Symbol; 2]] = moving::TOGETHER;
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "upper_symbol",
         own: &[s::ALL, upper::symbols::ALL, drive::symbols::ALL],
@@ -152,6 +159,7 @@ impl Described for ColumnScene {
             stages: turning.stages.clone(),
             mesh: turning.mesh,
             turns: turning.choice,
+            moved: turning.moved,
             open: LeftOpen::read(v, &[&s::R, &s::Q]),
         };
         Some((ColumnScene { given, turning }, range))
@@ -161,12 +169,29 @@ impl Described for ColumnScene {
         this.given.clone()
     }
 
-    fn check(this: &Description<ColumnScene>, v: &Values, found: &mut Vec<Diagnostic>) {
+    fn check(this: &mut Description<ColumnScene>, v: &Values, found: &mut Vec<Diagnostic>) {
         able(this, &this.turning, v, found);
+        this.turning.slewing = moved(this, beside, v, found, this.turning.gravity);
     }
 
     fn levels(&self) -> Vec<&'static str> {
-        vec!["static"]
+        self.turning.levels()
+    }
+
+    fn set_level(&mut self, level: &str) {
+        self.turning.set_level(level);
+    }
+
+    fn unused(&self, level: &str) -> Vec<(&'static str, &'static [&'static str])> {
+        self.turning.unused(level)
+    }
+
+    fn moving(this: &Description<ColumnScene>) -> Option<Result<MovingComponent, Fault>> {
+        this.turning.moving()
+    }
+
+    fn solver(&self) -> Option<Solver> {
+        self.turning.solver()
     }
 
     fn aside(this: &Description<ColumnScene>) -> Option<Aside> {
@@ -197,6 +222,7 @@ impl Described for ColumnScene {
 
     fn more(this: &Description<ColumnScene>, model: &mut Standing, sheet: &mut Sheet) {
         shafts::<ColumnScene>(model, sheet);
+        starts(&this.turning, model, sheet);
         let governing = sheet.positions.first().map(|position| position.value);
         sheet
             .curves

@@ -6,15 +6,13 @@ use crate::component::stages::Found;
 use crate::component::whole::Whole;
 use crate::kernel::group::One;
 use crate::kernel::symbol::Symbol;
-use crate::parts::starts::way;
 use crate::supports::column::bearings::{ColumnForces, WorstBearings};
 use crate::supports::column::counterweight::{Evened, EvenedAt};
 use crate::supports::column::friction::{ColumnFriction, ColumnTurning, pivot_radius, rubbing};
 use crate::supports::column::pressure::{BearingPressure, Bearings};
 use crate::supports::column::symbols as s;
 use crate::supports::drive;
-use crate::supports::drive::fragments::{swung, turned, turned_by};
-use crate::supports::upper;
+use crate::supports::drive::fragments::{has_what_slews, swung, turned, turned_by};
 use crate::supports::upper::fragments::{carried, luffs, reached, slews};
 use crate::supports::upper::load::{SupportLoad, WorstLoad};
 
@@ -57,19 +55,7 @@ impl Component for SlewingColumn {
         foot "Foot bearing and pivot in a load case.": fz V, fr H_F;
     };
 
-    fn has(given: &Given<f64>, symbol: &'static Symbol) -> bool {
-        let standing = [given.slope.is_some(), !given.areas.is_empty(), given.luffer.is_some()];
-        let staged = !given.stages.is_empty();
-        let turning = [
-            given.drive.is_some(),
-            given.rope.is_some(),
-            given.starting.is_some(),
-            staged,
-        ];
-        upper::keys::has(symbol, standing)
-            && drive::has(symbol, standing, turning)
-            && way::has(given.starting.as_ref(), symbol)
-    }
+    has_what_slews!();
 
     fn is_input(given: &Given<f64>, symbol: &'static Symbol) -> bool {
         given.open.0.contains(&symbol)

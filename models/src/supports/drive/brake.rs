@@ -138,7 +138,7 @@ impl<C: Calc> TurningStop<C> {
 #[derive(Clone, Copy, Debug)]
 pub struct Coupled<C> {
     torque: C,
-    slips: C,
+    pub slips: C,
 }
 results! { each Coupled as c => { T_C: c.torque; T_LIM: c.slips; } }
 

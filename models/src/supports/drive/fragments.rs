@@ -16,6 +16,7 @@ macro_rules! turned_by {
             Parameter pinion: Option<$crate::supports::drive::given::RingPinion<C>>,
             Parameter stages: Vec<$crate::supports::drive::given::GearStage<C>>,
             Parameter mesh: Option<One<C>>,
+            Fixed moved: Option<$crate::supports::drive::given::Moves>,
             Fixed turns: $crate::supports::drive::given::TurningChoice,
             Fixed open: $crate::supports::plan::LeftOpen,
         } $($to)* }
@@ -63,6 +64,8 @@ macro_rules! turned {
                 $crate::supports::drive::brake::Coupled::new(
                     geared, brake[!], limit[!], motors[each], pushed[each], stopping[each]
                 );
+            side: C = $crate::supports::drive::moving::side(geared, moved[!]) => J_D;
+            slips[each works]: Vec<C> = $crate::supports::drive::moving::slips(geared, moved[!], coupled[each]) => M_LC;
             meshed: C = $crate::supports::drive::pinion::meshed(pinion[!], turns) => RHO_C;
             pinions[each works]: Vec<$crate::supports::drive::pinion::PinionForce<C>> =
                 $crate::supports::drive::pinion::PinionForce::new(
@@ -76,3 +79,26 @@ macro_rules! turned {
     };
 }
 pub(crate) use turned;
+
+/// Which results there are of what slews, by what is given.
+macro_rules! has_what_slews {
+    () => {
+        fn has(given: &Given<f64>, symbol: &'static Symbol) -> bool {
+            let standing = [
+                given.slope.is_some(),
+                !given.areas.is_empty(),
+                given.luffer.is_some(),
+            ];
+            let turning = [
+                given.drive.is_some(),
+                given.rope.is_some(),
+                given.starting.is_some(),
+                !given.stages.is_empty(),
+            ];
+            $crate::supports::upper::keys::has(symbol, standing)
+                && $crate::supports::drive::has(symbol, standing, turning)
+                && $crate::parts::starts::way::has(given.starting.as_ref(), symbol)
+        }
+    };
+}
+pub(crate) use has_what_slews;

@@ -73,6 +73,11 @@ quantities! {
     RingPinion { r_z: R_Z, r_g: R_G, k: K_F, y: Y_F, b: B_Z, m: M_T, alpha: ALPHA_T, e: E_T, nu: NU_T }
 }
 
+/// That the scene moves what slews.
+#[derive(Clone, Copy, Debug)]
+pub struct Moves;
+group!(Moves);
+
 /// What the scene has chosen.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct TurningChoice {

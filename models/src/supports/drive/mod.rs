@@ -19,6 +19,7 @@
 //! | `drive.motor` | [`motor::TurningMotor::new`], [`motor::TurningHeat::new`] | Ports001, 6.5.2 |
 //! | `drive.starts` | [`starts::started`], [`starts::HardestPush::new`] | Ports001, 6.5.2 |
 //! | `drive.brake` | [`brake::TurningHold::new`], [`brake::TurningStop::new`], [`brake::Coupled::new`] | Ports001, 6.5.4 |
+//! | `drive.moving` | [`moving::side`], [`moving::slips`] | Ports001, 6.5.4 |
 //! | `drive.pinion` | [`pinion::meshed`], [`pinion::PinionForce::new`] | Ports001, 6.5.4; Hertz, Lewis |
 
 pub mod able;
@@ -29,6 +30,7 @@ pub mod gear;
 pub mod given;
 pub mod inertia;
 pub mod motor;
+pub mod moving;
 pub mod outline;
 pub mod pinion;
 pub mod resistance;
@@ -41,11 +43,11 @@ pub mod told;
 use crate::kernel::gravity;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::luffing::aboard;
-use crate::parts::{self, hanging, teeth};
+use crate::parts::{self, hanging, slip, teeth, turntable};
 use crate::supports::drive::symbols as s;
 
 /// Symbols that it shares with other drives.
-pub const SHARED: [&[&Symbol]; 7] = [
+pub const SHARED: [&[&Symbol]; 9] = [
     aboard::ALL,
     parts::motor::ALL,
     parts::starts::ALL,
@@ -53,6 +55,8 @@ pub const SHARED: [&[&Symbol]; 7] = [
     crate::drive::symbols::ALL,
     hanging::ALL,
     gravity::ALL,
+    turntable::ALL,
+    slip::ALL,
 ];
 
 /// Whether there is a result of the drive: without a slope (0) and wind areas (1) there is nothing of them, without a drive

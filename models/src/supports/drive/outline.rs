@@ -8,7 +8,7 @@ use crate::parts::starts::way::{ENGINED, RAMPED, SLIPPED};
 use crate::supports::drive::symbols as s;
 
 pub const CONSTANTS: [SectionOutline; 3] = [
-    ("turning_gear", &[Stage("geared")]),
+    ("turning_gear", &[Stage("geared"), Stage("side")]),
     ("turning_works", &[Stage("works_turned")]),
     ("turning_mesh", &[Stage("meshed")]),
 ];
@@ -21,7 +21,10 @@ pub const SECTIONS: [SectionOutline; 9] = [
     ("resistances_inverter", &[Rows(RAMPED)]),
     ("resistances_engine", &[Rows(ENGINED)]),
     ("turning_hold", &[Stage("holding")]),
-    ("turning_stop", &[Stage("stopping"), Stage("pushed"), Stage("coupled")]),
+    (
+        "turning_stop",
+        &[Stage("stopping"), Stage("pushed"), Stage("coupled"), Stage("slips")],
+    ),
     ("turning_teeth", &[Stage("pinions")]),
 ];
 
@@ -31,7 +34,7 @@ pub const CURVES: [Line; 3] = [
     ("turning_stop", None, &s::T_STOP),
 ];
 
-pub const EXTREMES: [Greatest; 20] = [
+pub const EXTREMES: [Greatest; 21] = [
     Greatest::new(&s::M_ST_TOP, Most::Greatest, &s::M_ST),
     Greatest::new(&s::P_M_MAX, Most::Greatest, &s::P_M),
     Greatest::new(&s::U_M_MAX, Most::Greatest, &s::U_M),
@@ -48,6 +51,7 @@ pub const EXTREMES: [Greatest; 20] = [
     Greatest::new(&s::PSI_STOP_MAX, Most::Greatest, &s::PSI_STOP),
     Greatest::new(&s::A_STOP_MAX, Most::Greatest, &s::A_STOP),
     Greatest::new(&s::T_LIM_MAX, Most::Greatest, &s::T_LIM),
+    Greatest::new(&s::M_LIM, Most::Greatest, &s::M_LC),
     Greatest::new(&s::T_GP_MAX, Most::Greatest, &s::T_GP),
     Greatest::new(&s::F_T_MAX, Most::Greatest, &s::F_T),
     Greatest::new(&s::SIGMA_FZ_MAX, Most::Greatest, &s::SIGMA_FZ),

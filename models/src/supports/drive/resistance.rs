@@ -3,6 +3,7 @@
 use crate::component::stages::{absent, results};
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
+use crate::parts::starts::RatedPoint;
 use crate::supports::drive::gear::TurningDrive;
 use crate::supports::drive::given::TurningCase;
 use crate::supports::drive::inertia::{Outswing, TurnedWorks};
@@ -106,8 +107,8 @@ impl<C: Calc> TurningDrive<C> {
         }
     }
 
-    /// P_N / (2π n_N), in N·m.
+    /// Rated torque, in N·m.
     pub fn rated(&self) -> C {
-        self.p_n / (C::constant(std::f64::consts::TAU) * self.n_n)
+        RatedPoint::new(self.p_n, self.n_n).torque
     }
 }

@@ -1,15 +1,22 @@
 //! What a scene says of its slewing drive, beside the support that it turns.
 
+use std::sync::Arc;
+
+use crate::component::description::MovedBeside;
+use crate::component::mechanism::Solver;
+use crate::component::moving::MovingComponent;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::group::One;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Kind, Values};
 use crate::kernel::symbol::Symbol;
+use crate::kernel::variable::Fault;
 use crate::parts::motor::{CaseBrake, CaseHold};
 use crate::parts::starts::scene::{START, read};
 use crate::parts::starts::way::StartWay;
 use crate::parts::starts::{N_0, N_IDLE};
-use crate::supports::drive::given::{GearStage, GivenDrive, RingPinion, TurnedArea, TurningCase, TurningChoice};
+use crate::supports::drive::given::{GearStage, GivenDrive, Moves, RingPinion, TurnedArea, TurningCase, TurningChoice};
+use crate::supports::drive::moving::{DYNAMICS, LEVEL, SLEWING, moves};
 use crate::supports::drive::symbols as s;
 
 /// Beside the support.
@@ -61,6 +68,9 @@ pub struct TurningScene {
     pub stages: Vec<GearStage<f64>>,
     pub mesh: Option<One<f64>>,
     pub choice: TurningChoice,
+    pub moved: Option<Moves>,
+    /// Slewing in motion, as soon as all is known that it follows from.
+    pub slewing: Option<Arc<dyn MovedBeside>>,
 }
 
 impl TurningScene {
@@ -80,6 +90,7 @@ impl TurningScene {
             found,
         );
         each(v.tables("areas"), &s::R_W, table.is_some(), (drive, "0 m"), found);
+        let moved = moves(v, found);
         let Some(table) = table else {
             return (found.len() == before).then(TurningScene::default);
         };
@@ -116,6 +127,8 @@ impl TurningScene {
                 heating,
                 inside: pinion.and_then(|pinion| pinion.text("teeth")) == Some(SIDES[1]),
             },
+            moved,
+            slewing: None,
         };
         (found.len() == before).then_some(read)
     }
@@ -126,7 +139,14 @@ impl TurningScene {
     pub fn assumptions(&self) -> impl Iterator<Item = &'static str> {
         let sways = self.works.iter().any(|case| case.alpha > 0.0);
         let load = if sways { "turning_sway" } else { "turning_load" };
-        self.drive.iter().flat_map(move |_| ["turning_places", load])
+        let moving = self
+            .slewing
+            .iter()
+            .flat_map(|_| ["turning_moving", "slewing_load", "slewing_coupling"]);
+        self.drive
+            .iter()
+            .flat_map(move |_| ["turning_places", load])
+            .chain(moving)
     }
 
     /// Ids of what it does not calculate.
@@ -138,6 +158,40 @@ impl TurningScene {
                 "turning_starter"
             }
         })
+    }
+}
+
+impl TurningScene {
+    /// Levels of a support with this drive.
+    pub fn levels(&self) -> Vec<&'static str> {
+        std::iter::once("static")
+            .chain(self.slewing.iter().map(|_| LEVEL))
+            .collect()
+    }
+
+    /// Leaves out what a level does not have.
+    pub fn set_level(&mut self, level: &str) {
+        if level != LEVEL {
+            self.slewing = None;
+        }
+    }
+
+    /// What a level has no use for.
+    pub fn unused(&self, level: &str) -> Vec<(&'static str, &'static [&'static str])> {
+        match level {
+            LEVEL => Vec::new(),
+            _ => vec![(DYNAMICS, &[]), (SLEWING.name, &[])],
+        }
+    }
+
+    /// What runs, where slewing moves.
+    pub fn moving(&self) -> Option<Result<MovingComponent, Fault>> {
+        self.slewing.as_ref()?.run()
+    }
+
+    /// How that is solved.
+    pub fn solver(&self) -> Option<Solver> {
+        self.slewing.as_ref()?.solved()
     }
 }
 

@@ -14,10 +14,7 @@ use crate::supports::drive::symbols as s;
 
 impl<C: Calc> TurningDrive<C> {
     fn point(&self) -> RatedPoint<C> {
-        RatedPoint {
-            torque: self.rated(),
-            n: self.n_n,
-        }
+        RatedPoint::new(self.p_n, self.n_n)
     }
 }
 

@@ -8,6 +8,7 @@ pub use crate::parts::motor::{
     A_START, A_START_MAX, A_STOP, A_STOP_MAX, J_K, J_M, J_START, K_A, K_B, LAMBDA_M, N_MOT, N_N, N_S, OMEGA_B, P_M,
     P_M_MAX, P_N, PSI_B, T_0, T_B, T_START, T_START_MAX, T_STOP, T_STOP_MAX, TAU_B, U_M, U_M_MAX,
 };
+pub use crate::parts::slip::{J_D, M_LIM};
 pub use crate::parts::starts::{A_ENG, A_INV, A_SLIP, T_ENG, T_INV, T_SLIP};
 pub use crate::parts::teeth::{ALPHA_T, E_T, K_F, M_T, NU_T, RHO_C, Y_F};
 
@@ -63,6 +64,7 @@ symbols! {
     ALPHA_AG: "alpha_ag" "dot(omega)_(\"a\" i)" RAD_PER_S2 / RAD_PER_S2, "Deceleration of a motor's shaft into slope and wind, the brake acting.", "[Ports001, 6.5.4]";
     T_C: "T_c" "T_(\"c\" i)" N_M / N_M, "Greatest torque that the coupling transmits in start and stop.", "[Ports001, 6.5.4]";
     T_LIM: "T_lim" "T_(\"lim\" i)" N_M / N_M, "Torque at which the coupling must slip, for a case.", "[Ports001, 6.5.4]";
+    M_LC: "M_lc" "M_(\"lim\" i)" N_M / KN_M, "Moment at the slewing axis at which all couplings slip together, for a case.", "[Ports001, 6.5.4]";
     F_T: "F_t" "F_(\"t\" i)" N / KN, "Tangential force of a pinion on the toothed ring.", "[Ports001, 6.5.4]";
     SIGMA_FZ: "sigma_Fz" "sigma_(F z i)" PA / MPA, "Bending stress at the root of the teeth.", "[Ports001, 6.5.4]";
     SIGMA_HZ: "sigma_Hz" "sigma_(H z i)" PA / MPA, "Contact pressure of the teeth at the pitch point.", "[Ports001, 6.5.4]";

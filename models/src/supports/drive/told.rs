@@ -1,13 +1,30 @@
-//! What the book tells of the shafts between a motor and its pinion.
+//! What the book tells of a motor's start, and of the shafts between it and its pinion.
 
 use crate::component::description::Described;
 use crate::component::places::{all_told, stand};
 use crate::component::sheet::Sheet;
 use crate::component::standing::Standing;
+use crate::component::starting::start_curve;
 use crate::component::telling::{explained, sample};
 use crate::kernel::symbol::listed;
+use crate::parts::starts::RatedPoint;
 use crate::supports::drive::outline::{SHAFT_COLUMNS, SHAFTS};
+use crate::supports::drive::scene::TurningScene;
 use crate::supports::drive::symbols as s;
+
+/// The motor's curve in a start, where most resists steady slewing.
+pub fn starts(turning: &TurningScene, model: &mut Standing, sheet: &mut Sheet) {
+    let most = sheet.governing.iter().find(|found| found.symbol == &s::M_ST_TOP);
+    let Some(((motor, (_, at)), aside)) = most.and_then(|found| Some(((turning.drive?.motor, found.at?), found.aside)))
+    else {
+        return;
+    };
+    stand(model, aside);
+    let rated = RatedPoint::new(motor.p_n, motor.n_n);
+    sheet
+        .curves
+        .extend(start_curve(turning.start.as_ref(), &rated, model, at));
+}
 
 /// Formulas of the pinion's shaft at the first position of the book, and a table of all shafts; nothing where the gear has no
 /// stages.

@@ -6,6 +6,7 @@ use crate::kernel::symbol::listed;
 use crate::luffing::aboard::{OMEGA_1, THETA_1, THETA_A, THETA_E};
 use crate::luffing::kinds::GIVEN;
 use crate::parts::starts::engine;
+use crate::supports::drive::moving;
 use crate::supports::drive::outline as drive;
 use crate::supports::drive::symbols as d;
 use crate::supports::ring::symbols as s;
@@ -18,7 +19,7 @@ pub const OUTLINE: Outline = Outline {
         upper_slope "slope", upper_areas "areas",
         upper_cases "load_cases", ring_contact "contact", ring_capacity "capacity", ring_curve "capacity.curve",
         ring_friction "friction", ring_maker "maker_friction", ring_bolts "bolts", ring_life "life", turning_drive "slewing_drive", turning_stages "slewing_drive.stages", case_start "slewing_drive.start", case_curve "slewing_drive.start.curve", turning_brake "slewing_drive.brake", turning_coupling "slewing_drive.coupling", turning_pinion "slewing_drive.pinion",
-        motion, limits
+        slewing, motion, limits
     ),
     constants: &CONSTANTS,
     sections: &SECTIONS,
@@ -36,6 +37,7 @@ pub const OUTLINE: Outline = Outline {
         ("upper_cases", listed!(u: K_Q, P_W, CHI_W)),
         ("upper_cases", listed!(d: N_S, ALPHA_Q, K_B)),
         engine::USE,
+        moving::USE,
         ("ring_curve", listed!(s: F_CURVE, M_CURVE)),
     ],
     forces: listed!(s: V, H, M, P_MAX, P_MIN),
@@ -73,7 +75,7 @@ const OWN_CURVES: [Line; 5] = [
     ("ring_least", None, &s::P_MIN),
 ];
 
-const EXTREMES: [Greatest; 36] = joined(OWN_EXTREMES, drive::EXTREMES);
+const EXTREMES: [Greatest; 37] = joined(OWN_EXTREMES, drive::EXTREMES);
 
 const OWN_EXTREMES: [Greatest; 16] = [
     Greatest::new(&s::V_TOP, Most::Greatest, &s::V),

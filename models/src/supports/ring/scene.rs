@@ -3,7 +3,8 @@
 use crate::component::aside::Aside;
 use crate::component::description::{Described, Description, Vocabulary};
 use crate::component::draw::{Draw, along, polar};
-use crate::component::mechanism::Entry;
+use crate::component::mechanism::{Entry, Solver};
+use crate::component::moving::MovingComponent;
 use crate::component::outline::{Limit, Outline};
 use crate::component::places::stand;
 use crate::component::sheet::{Check, Curve, Drawing, Sheet};
@@ -15,17 +16,21 @@ use crate::kernel::group::One;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Kind, Values};
 use crate::kernel::symbol::Symbol;
+use crate::kernel::variable::Fault;
 use crate::luffing::kinds::CARRIED;
 use crate::luffing::luffed::Luffer;
 use crate::parts::load_curve::{LoadCurve, corner};
 use crate::parts::motion::Motion;
 use crate::parts::plane::Point;
 use crate::parts::polyline::rising;
+use crate::slewing::beside::beside;
+use crate::slewing::scene::SOLVED;
 use crate::supports::drive;
 use crate::supports::drive::able::able;
 use crate::supports::drive::checks::{StandingThere, about_the_axis, through_the_gear};
+use crate::supports::drive::moving::{self, SLEWING, moved};
 use crate::supports::drive::scene::{DRIVE, TurningScene};
-use crate::supports::drive::told::shafts;
+use crate::supports::drive::told::{shafts, starts};
 use crate::supports::plan::{LeftOpen, each};
 use crate::supports::ring::bolts::RingBolts;
 use crate::supports::ring::capacity::Equivalent;
@@ -59,7 +64,7 @@ pub const KEYS: &[Key] = keys! { s:
     Key::part("maker_friction", MAKER, "Friction by a maker's form, with that maker's coefficient."),
     Key::part("bolts", BOLTS, "Bolts of the ring, on one circle, with their preload."),
     Key::part("life", LIFE, "Life of the raceway, of balls (law = \"point\") or rollers (law = \"line\")."),
-    DRIVE, MOTION,
+    DRIVE, MOTION, SLEWING, SOLVED,
     Key::part("limits", LIMITS, "What results may come to at most, or at least.")
 };
 
@@ -165,6 +170,8 @@ impl Described for RingScene {
     const ID: &'static str = "slewing_ring";
     const TABLE: &'static str = "supports";
     const OUTLINE: &'static Outline = &OUTLINE;
+    const FOLLOWED: &'static [&'static Symbol] = moving::FOLLOWED;
+    const TOGETHER: &'static [[&'static Symbol; 2]] = moving::TOGETHER;
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "upper_symbol",
         own: &[s::ALL, upper::symbols::ALL, drive::symbols::ALL],
@@ -218,6 +225,7 @@ impl Described for RingScene {
             stages: turning.stages.clone(),
             mesh: turning.mesh,
             turns: turning.choice,
+            moved: turning.moved,
             open: LeftOpen::read(v, &[&s::R, &s::Q]),
         };
         Some((RingScene { given, turning }, range))
@@ -227,12 +235,29 @@ impl Described for RingScene {
         this.given.clone()
     }
 
-    fn check(this: &Description<RingScene>, v: &Values, found: &mut Vec<Diagnostic>) {
+    fn check(this: &mut Description<RingScene>, v: &Values, found: &mut Vec<Diagnostic>) {
         able(this, &this.turning, v, found);
+        this.turning.slewing = moved(this, beside, v, found, this.turning.gravity);
     }
 
     fn levels(&self) -> Vec<&'static str> {
-        vec!["static"]
+        self.turning.levels()
+    }
+
+    fn set_level(&mut self, level: &str) {
+        self.turning.set_level(level);
+    }
+
+    fn unused(&self, level: &str) -> Vec<(&'static str, &'static [&'static str])> {
+        self.turning.unused(level)
+    }
+
+    fn moving(this: &Description<RingScene>) -> Option<Result<MovingComponent, Fault>> {
+        this.turning.moving()
+    }
+
+    fn solver(&self) -> Option<Solver> {
+        self.turning.solver()
     }
 
     fn aside(this: &Description<RingScene>) -> Option<Aside> {
@@ -285,6 +310,7 @@ impl Described for RingScene {
     /// The moment over the reach; the load curve, with the reference loads of the cases where the curve is used most.
     fn more(this: &Description<RingScene>, model: &mut Standing, sheet: &mut Sheet) {
         shafts::<RingScene>(model, sheet);
+        starts(&this.turning, model, sheet);
         let governing = sheet.positions.first().map(|position| position.value);
         sheet
             .curves

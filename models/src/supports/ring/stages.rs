@@ -7,9 +7,8 @@ use crate::component::whole::Whole;
 use crate::kernel::group::One;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::parts::load_curve::LoadCurve;
-use crate::parts::starts::way;
 use crate::supports::drive;
-use crate::supports::drive::fragments::{swung, turned, turned_by};
+use crate::supports::drive::fragments::{has_what_slews, swung, turned, turned_by};
 use crate::supports::ring::bolts::{BoltForces, RingBolts};
 use crate::supports::ring::capacity::{Equivalent, StaticLoad, static_loads};
 use crate::supports::ring::contact::{ContactStress, Hardness, RollingContact};
@@ -18,7 +17,6 @@ use crate::supports::ring::friction::{ElementFriction, MakerForm, MakerFriction,
 use crate::supports::ring::law::RollingElements;
 use crate::supports::ring::life::{DynamicCapacity, RacewayLife};
 use crate::supports::ring::symbols as s;
-use crate::supports::upper;
 use crate::supports::upper::fragments::{carried, luffs, reached, slews};
 use crate::supports::upper::load::{SupportLoad, WorstLoad};
 
@@ -72,19 +70,7 @@ impl Component for SlewingRing {
         ring "The ring in a load case.": fz V, fr H, tau M;
     };
 
-    fn has(given: &Given<f64>, symbol: &'static Symbol) -> bool {
-        let standing = [given.slope.is_some(), !given.areas.is_empty(), given.luffer.is_some()];
-        let staged = !given.stages.is_empty();
-        let turning = [
-            given.drive.is_some(),
-            given.rope.is_some(),
-            given.starting.is_some(),
-            staged,
-        ];
-        upper::keys::has(symbol, standing)
-            && drive::has(symbol, standing, turning)
-            && way::has(given.starting.as_ref(), symbol)
-    }
+    has_what_slews!();
 
     fn is_input(given: &Given<f64>, symbol: &'static Symbol) -> bool {
         given.open.0.contains(&symbol)

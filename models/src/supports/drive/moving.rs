@@ -1,0 +1,130 @@
+//! Slewing in motion behind the couplings of the drive: what the support and its drive give to it.
+//!
+//! All motors with their brakes are one side of one coupling, at the slewing axis by the ratio alone: J_d has their energy,
+//! M_lim ψ the work of all couplings. What the gear loses is friction of slewing. [Ports001, 6.5.4]
+
+use std::sync::Arc;
+
+use crate::component::description::{Described, Description, MovedBeside};
+use crate::component::outline::{Greatest, Most};
+use crate::component::peaks::Peaks;
+use crate::component::running::Running;
+use crate::kernel::calc::Calc;
+use crate::kernel::diagnostic::Diagnostic;
+use crate::kernel::group::One;
+use crate::kernel::keys::keys;
+use crate::kernel::schema::{Key, Values};
+use crate::kernel::symbol::{Symbol, listed};
+use crate::parts::slip;
+use crate::parts::turntable::{self as joint, Borne};
+use crate::supports::drive::brake::Coupled;
+use crate::supports::drive::gear::TurningDrive;
+use crate::supports::drive::given::Moves;
+use crate::supports::drive::symbols as s;
+use crate::supports::upper::symbols as upper;
+
+/// Beside the support: what neither that nor its drive gives.
+pub const SLEWING: Key = Key::part("slewing", OWN, "Slewing in motion behind the couplings of the drive.");
+
+/// How that is solved.
+pub const DYNAMICS: &str = "dynamics";
+
+const OWN: &[Key] = keys! { joint:
+    C_SL >= 0 [optional], M_F_SL >= 0 [optional], M_SL [over_time, optional], M_B_SL >= 0 [over_time, optional], PSI_SL [optional],
+    OMEGA_SL [optional], PSI_MIN [optional], PSI_MAX [optional];
+    Key::choice("fidelity", &[LEVEL], "\"rigid\": slewing moves under the moments of its drive and brake.")
+};
+
+/// The level in motion.
+pub const LEVEL: &str = "rigid";
+
+/// What is followed over a cycle of commands.
+pub const FOLLOWED: &[&Symbol] = &[&joint::M_SL, &slip::OMEGA_D, &slip::M_CD, &slip::W_SLIP];
+
+/// Two of these in one figure.
+pub const TOGETHER: &[[&Symbol; 2]] = &[[&joint::OMEGA_SL, &slip::OMEGA_D]];
+
+/// What is given for motion alone.
+pub const USE: (&str, &[&Symbol]) = (
+    "turning_moving",
+    listed!(joint: C_SL, M_F_SL, M_SL, M_B_SL, PSI_SL, OMEGA_SL, PSI_MIN, PSI_MAX),
+);
+
+/// J_d = z J_M i², in kg·m². [Ports001, 6.5.4]
+pub fn side<C: Calc>(drive: &TurningDrive<C>, _: &Moves) -> C {
+    (drive.z * drive.j * drive.i.square()).def(&s::J_D)
+}
+
+/// z i T_lim, in N·m. [Ports001, 6.5.4]
+pub fn slips<C: Calc>(drive: &TurningDrive<C>, _: &Moves, coupled: &Coupled<C>) -> C {
+    (drive.z * drive.i * coupled.slips).def(&s::M_LC)
+}
+
+/// Whether a support's scene moves what slews; refuses another level, and a drive without a coupling.
+pub fn moves(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Moves> {
+    let Some(own) = v.table(SLEWING.name) else {
+        if let Some(table) = v.table(DYNAMICS) {
+            let what = "`dynamics` of what stands still";
+            found.push(Diagnostic::new(table.span.clone(), what, "not used").help("add [slewing], or remove it"));
+        }
+        return None;
+    };
+    if own.text("fidelity") != Some(LEVEL) {
+        let what = format!("[slewing] beside [supports] without fidelity = \"{LEVEL}\"");
+        let help = format!("set fidelity = \"{LEVEL}\", or remove [slewing]: [supports] alone stands still");
+        found.push(own.refuse("fidelity", what, "not here", help));
+    }
+    if !v.table("slewing_drive").is_some_and(|drive| drive.has("coupling")) {
+        let what = "[slewing] beside [supports] without [supports.slewing_drive.coupling]";
+        let help = "add it, with drive and brake: J_d and M_lim of the motion follow from them; or give [slewing] a scene of its own";
+        found.push(Diagnostic::new(own.span.clone(), what, "a coupling is needed").help(help));
+    }
+    Some(Moves)
+}
+
+/// Reads slewing in motion: its table, others of the scene, what the support gives, gravity (m/s²).
+pub type ReadBeside =
+    fn(&Values, &[(&'static str, &Values)], &Borne, f64, &mut Vec<Diagnostic>) -> Option<Arc<dyn MovedBeside>>;
+
+/// Slewing in motion, by what a support and its drive come to: inertia, reach and load at the start, slope, and of the coupling
+/// the greatest moment of all load cases over the whole range. Mistakes go to `found`.
+pub fn moved<T: Described>(
+    this: &Description<T>,
+    read: ReadBeside,
+    v: &Values,
+    found: &mut Vec<Diagnostic>,
+    gravity: Option<One<f64>>,
+) -> Option<Arc<dyn MovedBeside>> {
+    let own = v.table(SLEWING.name).filter(|_| found.is_empty())?;
+    let mut model = this.standing();
+    let mut peaks = Peaks::over(&model, T::aside(this));
+    peaks.look(&model, std::iter::once(&s::M_LC));
+    let most = peaks.most(&model, &Greatest::new(&s::M_LIM, Most::Greatest, &s::M_LC))?;
+    let limit = peaks.summary(&model, &s::M_LIM, most).value;
+    if limit <= 0.0 {
+        let what = format!("M_lim = {}: the coupling carries nothing", s::M_LIM.written(limit));
+        let help = "give the brake in [supports.slewing_drive] more torque T_b, or its coupling a greater k_lim";
+        found.push(Diagnostic::new(own.span.clone(), what, "nothing moves so").help(help));
+        return None;
+    }
+    let mut of = |symbol: &'static Symbol| {
+        let index = model
+            .variables()
+            .iter()
+            .position(|variable| variable.symbol == symbol)?;
+        model.get(index).ok()
+    };
+    let (weight, ahead) = (of(&upper::G_0)?, of(&upper::M_U)?);
+    let arm = if weight > 0.0 { ahead / weight } else { 0.0 };
+    let borne = Borne {
+        inertia: of(&s::J_0)?,
+        reach: (of(&upper::R)?, v.is_input(upper::R.id)),
+        load: (of(&upper::Q)?, v.is_input(upper::Q.id)),
+        slope: v.of(&upper::GAMMA).map(|steep| [steep, weight, arm]),
+        side: of(&s::J_D)?,
+        limit,
+    };
+    let tables = ["motion", DYNAMICS].map(|name| (name, v.table(name)));
+    let tables = tables.into_iter().filter_map(|(name, table)| Some((name, table?)));
+    read(own, &tables.collect::<Vec<_>>(), &borne, *gravity?, found)
+}
