@@ -102,6 +102,16 @@ fn maker(mechanism: &str) -> Option<Maker> {
     }
 }
 
+/// Whether a controller in a table, or in one of its tables, has no cycle: its set points go by steps.
+fn unsampled(table: &Table) -> bool {
+    let mut tables = table.iter().filter_map(|(name, value)| Some((name, value.as_table()?)));
+    let free = |(name, inner): (&String, &Table)| {
+        let sampled = inner.keys().any(|key| key.starts_with("T_c"));
+        name == "control" && !sampled || unsampled(inner)
+    };
+    tables.any(free)
+}
+
 /// A random scene.
 #[derive(Clone, Debug)]
 pub struct Case {
@@ -126,7 +136,8 @@ impl Case {
         };
         if draw.coin(0.2) {
             let oil = matches!(made.get("fidelity").and_then(Value::as_str), Some("hydraulic" | "auto"));
-            draw.tell_over_time(keys, &mut made, oil);
+            let steps = oil || unsampled(&made);
+            draw.tell_over_time(keys, &mut made, steps);
         }
         let alone = MECHANISMS.iter().filter(|other| other.table == mechanism).count() == 1;
         let names = |key: &Key| key.name == KIND && matches!(key.kind, Kind::Choice(of) if of.contains(&entry.kind));
@@ -134,7 +145,10 @@ impl Case {
             made.insert(KIND.to_owned(), entry.kind.into());
         }
         hung::hung(mechanism, &mut made, draw.g);
-        let mut table = draw.around(mechanism, made, maker.as_ref().map(|maker| maker.result));
+        // What slews beside a support has results of its own.
+        let slews = mechanism == "supports" && made.contains_key("slewing");
+        let result = |maker: &Maker| if slews { slewing::RESULT } else { maker.result };
+        let mut table = draw.around(mechanism, made, maker.as_ref().map(result));
         if !legal {
             let edge = draw.coin(0.5);
             let mut top = Node::new(&mut draw, KEYS, &mut table);
@@ -358,11 +372,11 @@ impl Draw {
         }
     }
 
-    /// Tells over time what may be told so, no greater than it is; straight where no oil is moved.
-    fn tell_over_time(&mut self, keys: &'static [Key], made: &mut Table, oil: bool) {
+    /// Tells over time what may be told so, no greater than it is; in steps where it must be so, of oil and of a controller without samples.
+    fn tell_over_time(&mut self, keys: &'static [Key], made: &mut Table, steps: bool) {
         for key in keys {
             if let (Kind::Table(keys), Some(Value::Table(inner))) = (key.kind, made.get_mut(key.name)) {
-                self.tell_over_time(keys, inner, oil);
+                self.tell_over_time(keys, inner, steps);
             }
             let text = made.get(key.name).and_then(Value::as_str);
             let value = text.and_then(|text| read(text, self.g));
@@ -377,7 +391,7 @@ impl Draw {
                     row.map(|(symbol, value)| self.written(symbol, value).0).to_vec(),
                 ));
             }
-            let between = if oil { "steps" } else { self.pick(key.between) };
+            let between = if steps { "steps" } else { self.pick(key.between) };
             let told = [("over", Value::from(rows)), ("between", between.into())];
             let told = Table::from_iter(told.map(|(name, value)| (name.to_owned(), value)));
             made.insert(key.name.to_owned(), told.into());

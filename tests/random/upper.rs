@@ -64,9 +64,12 @@ pub fn slewing(n: &mut Node, [size, weight, far]: [f64; 3]) {
 /// drive carries enough, and on level ground.
 pub fn moving(n: &mut Node) {
     let coupled = n.child("slewing_drive").is_some_and(|drive| drive.has("coupling"));
-    let stands = n.has("slope") || !n.has("R") || !coupled;
+    let moves = coupled && n.has("R") && n.draw.coin(0.8);
     n.remove(&["dynamics"]);
-    n.keep("slewing", !stands && n.has("slewing"));
+    n.keep("slewing", moves);
+    if moves {
+        n.remove(&["slope"]);
+    }
     let start = n.draw.between(-PI, PI);
     let Some(mut own) = n.child("slewing") else { return };
     own.put("fidelity", "rigid");

@@ -1,10 +1,9 @@
-//! The phases of a cycle, and what the cycle asks of ropes and motors.
+//! The phases of a cycle, and what they ask of ropes and motors.
 
 use crate::component::stages::results;
-use crate::kernel::calc::{Among, Calc, sum};
+use crate::kernel::calc::{Among, Calc};
 use crate::kernel::group::{One, quantities};
 use crate::kernel::symbol::Symbol;
-use crate::kernel::variable::Fault;
 use crate::parts::travel::{along, at_motor, sense};
 use crate::unloader::motors::{at_ropes, turning};
 use crate::unloader::reeving::{Reeving, Scheme};
@@ -21,14 +20,14 @@ quantities! {
 /// drums (N), least safety of a rope, powers of the motors (W), and for how long they turn (s).
 #[derive(Clone, Copy, Debug)]
 pub struct PhaseForces<C> {
-    weight: C,
+    pub weight: C,
     resists: C,
     drive: C,
     sides: [C; 2],
     pulls: [C; 2],
     safety: C,
-    powers: [C; 3],
-    lasts: [C; 3],
+    pub powers: [C; 3],
+    pub lasts: [C; 3],
 }
 results! { each PhaseForces as p => {
     W_P: p.weight;
@@ -49,6 +48,7 @@ results! { each PhaseForces as p => {
 
 impl<C: Calc> PhaseForces<C> {
     /// As at any time, with what the phase has. [Ports001, 5.9.1]
+    #[expect(clippy::too_many_arguments, reason = "all that pulls and resists in a phase")]
     pub fn new(
         reeving: &Reeving,
         unit: &GrabTrolley<C>,
@@ -124,7 +124,7 @@ impl<C: Calc> PhaseForces<C> {
 }
 
 /// Names of the times for which the motors turn.
-const LASTS: [&Symbol; 3] = [&s::T_HP, &s::T_CP, &s::T_TP];
+pub const LASTS: [&Symbol; 3] = [&s::T_HP, &s::T_CP, &s::T_TP];
 
 /// For how long each motor turns, with the duration of a phase and the motors' speeds.
 fn lasting<C: Calc>(time: C, speeds: [C; 3]) -> [C; 3] {
@@ -136,75 +136,4 @@ fn lasting<C: Calc>(time: C, speeds: [C; 3]) -> [C; 3] {
         };
         own.over(speeds[i]).def(LASTS[i])
     })
-}
-
-/// The cycle: time (s), rate (kg/s), greatest weight (N), load spectrum, root mean squares of the motors' powers (W), and the
-/// part of the time for which they turn.
-#[derive(Clone, Copy, Debug)]
-pub struct GrabDuty<C> {
-    time: C,
-    rate: C,
-    most: C,
-    spectrum: C,
-    powers: [C; 3],
-    turning: [C; 3],
-}
-results! { GrabDuty as d => {
-    T_CYC: d.time;
-    Q_CYC: d.rate;
-    W_MAX: d.most;
-    K_P: d.spectrum;
-    P_H_RMS: d.powers[0];
-    P_C_RMS: d.powers[1];
-    P_T_RMS: d.powers[2];
-    ED_H: d.turning[0];
-    ED_C: d.turning[1];
-    ED_T: d.turning[2];
-} }
-
-impl<C: Calc> GrabDuty<C> {
-    /// K_p = Σ (t/t_cyc)(W/W_max)³, P_rms = √(Σ P² t/t_cyc), ED = Σ t_turns/t_cyc. [Ports001, 5.9.1]
-    ///
-    /// # Errors
-    /// A phase with a slack rope.
-    pub fn new(
-        unit: &GrabTrolley<C>,
-        gravity: &One<C>,
-        phases: &[GrabPhase<C>],
-        found: &[PhaseForces<C>],
-    ) -> Result<GrabDuty<C>, Fault> {
-        if let Some(slack) = (1..).zip(found).find_map(|(number, phase)| phase.slack(number)) {
-            return Err(Fault::outside(slack));
-        }
-        let time = sum(phases.iter().map(|phase| phase.t)).def(&s::T_CYC);
-        let weights = found.iter().map(|phase| phase.weight);
-        let most = weights.reduce(C::greater).unwrap_or(unit.g_g);
-        let most = found
-            .first()
-            .map_or(most, |first| most.among(Among::Greatest, first.weight));
-        let most = most.def(&s::W_MAX);
-        let all = || phases.iter().zip(found);
-        let spectrum = sum(all().map(|(phase, at)| phase.t / time * (at.weight / most).power([3, 1])));
-        let names = [&s::P_H_RMS, &s::P_C_RMS, &s::P_T_RMS];
-        let powers = std::array::from_fn(|i| {
-            let square = sum(all().map(|(phase, at)| at.powers[i].square() * phase.t)) / time;
-            let root = if square.value() > 0.0 {
-                square.sqrt()
-            } else {
-                square.over(square)
-            };
-            root.def(names[i])
-        });
-        Ok(GrabDuty {
-            time,
-            rate: (unit.q_n / **gravity / time).def(&s::Q_CYC),
-            most,
-            spectrum: spectrum.def(&s::K_P),
-            powers,
-            turning: std::array::from_fn(|i| {
-                let names = [&s::ED_H, &s::ED_C, &s::ED_T];
-                (sum(found.iter().map(|phase| phase.lasts[i].tabled(LASTS[i]))) / time).def(names[i])
-            }),
-        })
-    }
 }

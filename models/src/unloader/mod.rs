@@ -27,9 +27,10 @@
 //! | `unloader.motors` | [`motors::MotorPowers::new`], [`motors::LiftedLoad::new`] | Ports001, 5.9 |
 //! | `unloader.sway` | [`sway::SwayOnWay::new`], [`sway::answer`], [`sway::swung`] | Lagrange; linear oscillator |
 //! | `unloader.programme` | [`foreseen::Foreseen::by_angle`] | Ports001, 5.10.2 |
-//! | `unloader.cycle` | [`cycle::PhaseForces::new`], [`cycle::GrabDuty::new`] | Ports001, 5.9.1 |
+//! | `unloader.cycle` | [`cycle::PhaseForces::new`], [`duty::GrabDuty::new`] | Ports001, 5.9.1 |
 
 pub mod cycle;
+pub mod duty;
 pub mod foreseen;
 pub mod motors;
 mod outline;
