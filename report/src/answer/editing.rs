@@ -11,7 +11,7 @@ use serde::Serialize;
 
 use crate::answer::Change;
 use crate::answer::place::{Place, Places};
-use crate::language::Language;
+use crate::language::{Language, Words};
 use crate::print::script::Script;
 
 /// Something that may be written.
@@ -107,9 +107,14 @@ impl About {
 }
 
 /// What a symbol is, in the words of the first mechanism that has it.
-fn meaning(symbol: &'static Symbol, language: &Language) -> String {
+pub(super) fn words_of(symbol: &Symbol, words: &'static Words) -> Option<&'static str> {
     let has = |tables: &[&[&'static Symbol]]| tables.iter().any(|table| table.contains(&symbol));
     let mut of = vocabularies().filter(|(_, known)| has(known.own) || has(known.shared));
-    let words = of.find_map(|(_, known)| language.dictionary().get(known.words, symbol.id).ok());
+    of.find_map(|(_, known)| words.get(known.words, symbol.id).ok())
+}
+
+/// The same as a text, in English where nobody has words for it.
+fn meaning(symbol: &Symbol, language: &Language) -> String {
+    let words = words_of(symbol, language.dictionary());
     words.map_or_else(|| symbol.text.to_owned(), |words| Script::of_markup(words, &[]).plain())
 }

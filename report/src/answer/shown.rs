@@ -12,6 +12,7 @@ use lemnis_models::scene::Scene;
 use serde::Serialize;
 
 use crate::answer::drawn::Drawn;
+use crate::answer::editing::words_of;
 use crate::answer::point::to_nine_digits;
 use crate::book::parts;
 use crate::book::verdict::{utilisation, verdict};
@@ -177,9 +178,11 @@ impl<'a> Teller<'a> {
         if symbol == &PART_OF_RANGE {
             return self.word("page", "part_of_range");
         }
-        match self.words.of_parts(&self.parts, self.symbols, symbol.id) {
-            Ok(words) => Script::of_markup(words, &[]),
-            Err(_) => Script::from(symbol.text),
+        // What moves beside the mechanism has words of its own.
+        let own = self.words.of_parts(&self.parts, self.symbols, symbol.id).ok();
+        match own.or_else(|| words_of(symbol, self.words)) {
+            Some(words) => Script::of_markup(words, &[]),
+            None => Script::from(symbol.text),
         }
     }
 
