@@ -278,6 +278,13 @@ impl Words {
         own.map_or_else(|| self.get(group, id), Ok)
     }
 
+    /// What a symbol is, in the words of the first mechanism that has it.
+    pub(crate) fn meaning(&self, symbol: &Symbol) -> Option<&str> {
+        let has = |tables: &[&[&'static Symbol]]| tables.iter().any(|table| table.contains(&symbol));
+        let mut of = vocabularies().filter(|(_, known)| has(known.own) || has(known.shared));
+        of.find_map(|(_, known)| self.get(known.words, symbol.id).ok())
+    }
+
     /// Keys of the publications.
     pub(crate) fn references(&self) -> Vec<String> {
         let all = self.0.groups.get("reference");

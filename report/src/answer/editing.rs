@@ -5,13 +5,12 @@ use lemnis_models::kernel::number::Number;
 use lemnis_models::kernel::number::short;
 use lemnis_models::kernel::schema::{Key, Kind};
 use lemnis_models::kernel::symbol::Symbol;
-use lemnis_models::registry::vocabularies;
 use lemnis_models::scene::KEYS;
 use serde::Serialize;
 
 use crate::answer::Change;
 use crate::answer::place::{Place, Places};
-use crate::language::{Language, Words};
+use crate::language::Language;
 use crate::print::script::Script;
 
 /// Something that may be written.
@@ -106,15 +105,8 @@ impl About {
     }
 }
 
-/// What a symbol is, in the words of the first mechanism that has it.
-pub(super) fn words_of(symbol: &Symbol, words: &'static Words) -> Option<&'static str> {
-    let has = |tables: &[&[&'static Symbol]]| tables.iter().any(|table| table.contains(&symbol));
-    let mut of = vocabularies().filter(|(_, known)| has(known.own) || has(known.shared));
-    of.find_map(|(_, known)| words.get(known.words, symbol.id).ok())
-}
-
-/// The same as a text, in English where nobody has words for it.
+/// What a symbol is, in English where nobody has words for it.
 fn meaning(symbol: &Symbol, language: &Language) -> String {
-    let words = words_of(symbol, language.dictionary());
+    let words = language.dictionary().meaning(symbol);
     words.map_or_else(|| symbol.text.to_owned(), |words| Script::of_markup(words, &[]).plain())
 }

@@ -12,7 +12,6 @@ use lemnis_models::scene::Scene;
 use serde::Serialize;
 
 use crate::answer::drawn::Drawn;
-use crate::answer::editing::words_of;
 use crate::answer::point::to_nine_digits;
 use crate::book::parts;
 use crate::book::verdict::{utilisation, verdict};
@@ -180,7 +179,7 @@ impl<'a> Teller<'a> {
         }
         // What moves beside the mechanism has words of its own.
         let own = self.words.of_parts(&self.parts, self.symbols, symbol.id).ok();
-        match own.or_else(|| words_of(symbol, self.words)) {
+        match own.or_else(|| self.words.meaning(symbol)) {
             Some(words) => Script::of_markup(words, &[]),
             None => Script::from(symbol.text),
         }
