@@ -111,6 +111,17 @@ class Stepped:
             rows.append(self.get(names))
         return rows
 
+    def again(self, times, names):
+        """Values at the times, twice from the state at the first one: before and after it was put back."""
+        of = "state" if isinstance(self.slave, FMU2Slave) else "State"
+        get, put, free = (getattr(self.slave, f"{act}FMU{of}") for act in ("get", "set", "free"))
+        state = get()
+        once = self.run(times, names)
+        put(state)
+        again = self.run(times, names)
+        free(state)
+        return once, again
+
     def close(self):
         self.slave.terminate()
         self.slave.freeInstance()
