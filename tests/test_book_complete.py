@@ -112,8 +112,6 @@ def test_every_symbol_of_a_formula_has_its_origin(scene, level):
     # Points of the ring's curves, loads by strength, forces in pins and heels of levers stand in tables of their own; others are read off a
     # load chart.
     known |= set(re.findall(r"column-head\[\$(\S*\(c i\)|Q_s|F_\(p k\)|phi_\(h i\))\$\]", text))
-    # The integral over an engine's curve is told in words: a sum over its pieces.
-    known |= {"I_(e i)"}
     known |= {'Q_"ch"'} if re.search(r"(?m)^= \d+ Load chart$", text) else set()
     for result, formula in formulas(text):
         nowhere = symbols(formula, notation)[0] - known

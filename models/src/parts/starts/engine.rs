@@ -173,7 +173,11 @@ impl<C: Calc> Engined<C> {
             let spared = pieces.map(|([from, before], [to, behind])| {
                 (to - from) / speeds.idle * (peak * reciprocal(before - run.against, behind - run.against))
             });
-            found.spared = spared.reduce(|sum, one| sum + one).expect("one piece").tabled(&s::I_E);
+            found.spared = spared
+                .reduce(|sum, one| sum + one)
+                .expect("one piece")
+                .tabled(&s::I_E)
+                .def(&s::I_E);
             found.time = (found.clutch + run.inertia * turning / peak * found.spared).def(&s::T_ENG);
         }
         found.quickens = (run.head / found.time).def(&s::A_ENG);
