@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::component::dependencies::{dependencies, recorded};
 use crate::component::moving::MovingComponent;
 use crate::component::part::Runner;
-use crate::component::running::Running;
+use crate::component::running::{Running, Tangent};
 use crate::component::standing::{Standing, VariablePlace};
 use crate::kernel::variable::{Name, Quantity, Role, TIME};
 use crate::luffing::moving::brakes::Braking;
@@ -24,9 +24,9 @@ use crate::parts::joint::Bar;
 /// In the place of a parameter that is zero where it is asked what depends on what.
 const TRACE: f64 = 1e-6;
 
-/// Every way of a joint.
+/// Every way of a joint; one that is not there is held.
 const WAYS: [Bar; 3] = [Bar::Held, Bar::Forward, Bar::Backward];
-/// Every way in which a load hangs, or stands on the ground.
+/// Every way in which a load hangs, whether the rope is taut and what its drum does; the first one is that of none.
 const HANGS: [(bool, Bar); 3] = [(true, Bar::Held), (true, Bar::Forward), (false, Bar::Held)];
 
 /// States with no number that is special, in all ways of moving: over the range of the angle and beyond its ends, relief
@@ -41,8 +41,9 @@ fn lively(luffing: &LuffingGiven, now: &CraneAt) -> Vec<CraneAt> {
     } else {
         &[false]
     };
-    let hangs = HANGS.into_iter();
-    let hangs = hangs.flat_map(|(taut, way)| stands.iter().map(move |grounded| (taut, way, *grounded)));
+    let slewings = if slews { &WAYS[..] } else { &WAYS[..1] };
+    let hangs = if rope { &HANGS[..] } else { &HANGS[..1] }.iter();
+    let hangs = hangs.flat_map(|(taut, way)| stands.iter().map(move |grounded| (*taut, *way, *grounded)));
     let mut found = Vec::new();
     for part in [-1e-3, 0.217, 0.613, 0.871, 1.001] {
         for sign in [1.0, -1.0] {
@@ -65,7 +66,7 @@ fn lively(luffing: &LuffingGiven, now: &CraneAt) -> Vec<CraneAt> {
                     at.y[2..FIXED].copy_from_slice(&[1.07 * p, 0.93 * p, 0.71 * p, 0.41 * p, 0.31 * sign, 1.7]);
                 }
                 for luffing in WAYS {
-                    for slewing in WAYS {
+                    for &slewing in slewings {
                         for (taut, way, grounded) in hangs.clone() {
                             let drum = Drum { way, command: 0.0 };
                             at.past = Modes {
@@ -168,39 +169,59 @@ pub fn follows<T: Luffs>(model: &MovingComponent) -> Vec<BTreeSet<Name>> {
     let within = all.iter().map(|at| (at, laws));
     let others = laws.into_iter().flat_map(regimes);
     let others = others.flat_map(|laws| all.iter().step_by(REGIMES_EACH).map(move |at| (at, Some(laws))));
+    let mut groups = alike(&moving, &givens, &found);
+    let mut tangent = lively_model.tangent(&|_| 0.0);
     for (at, laws) in within.chain(others) {
         put::<T>(lively_model.parts().0, at);
         if let Some(laws) = laws {
             T::put_laws(known::<T>(lively_model.parts().0), laws);
         }
-        if !follows_more(&lively_model, &moving, &givens, &found) {
+        if !groups.iter().any(|alike| alike.follow_more(&lively_model, &mut tangent)) {
             continue;
         }
         for known in &givens {
-            let mut tangent = lively_model.tangent(&|(symbol, number)| f64::from((symbol.id, number) == *known));
+            let seed = |(symbol, number): Quantity| f64::from((symbol.id, number) == *known);
+            lively_model.tangent_into(&seed, &mut tangent);
             for &index in &moving {
                 if lively_model.derivative(&mut tangent, index) != Ok(0.0) {
                     found[index].insert(*known);
                 }
             }
         }
+        groups = alike(&moving, &givens, &found);
     }
     found
 }
 
-/// Whether one of these results changes where all changes at once that it is not known to follow from.
-fn follows_more(model: &MovingComponent, results: &[usize], givens: &[Name], found: &[BTreeSet<Name>]) -> bool {
+/// Results that follow from the same, as far as is known, and a direction in which all changes at once that they are not known
+/// to follow from.
+struct Alike {
+    results: Vec<usize>,
+    direction: BTreeMap<Name, f64>,
+}
+
+fn alike(results: &[usize], givens: &[Name], found: &[BTreeSet<Name>]) -> Vec<Alike> {
     let mut alike: BTreeMap<&BTreeSet<Name>, Vec<usize>> = BTreeMap::new();
     for &index in results {
         alike.entry(&found[index]).or_default().push(index);
     }
-    alike.into_iter().any(|(known, results)| {
+    let with_direction = |(known, results): (&BTreeSet<Name>, Vec<usize>)| {
         // No two of them by the same amount, so that nothing cancels.
         let open = givens.iter().zip(1_u32..).filter(|(name, _)| !known.contains(name));
-        let seeds: BTreeMap<Name, f64> = open.map(|(name, i)| (*name, f64::from(i).sqrt())).collect();
-        let seed = |(symbol, number): Quantity| seeds.get(&(symbol.id, number)).copied().unwrap_or(0.0);
-        let mut tangent = model.tangent(&seed);
-        let mut results = results.into_iter();
-        results.any(|index| model.derivative(&mut tangent, index) != Ok(0.0))
-    })
+        Alike {
+            results,
+            direction: open.map(|(name, i)| (*name, f64::from(i).sqrt())).collect(),
+        }
+    };
+    alike.into_iter().map(with_direction).collect()
+}
+
+impl Alike {
+    /// Whether one of them changes in that direction.
+    fn follow_more(&self, model: &MovingComponent, tangent: &mut Tangent) -> bool {
+        let seed = |(symbol, number): Quantity| self.direction.get(&(symbol.id, number)).copied().unwrap_or(0.0);
+        model.tangent_into(&seed, tangent);
+        let mut results = self.results.iter();
+        results.any(|index| model.derivative(tangent, *index) != Ok(0.0))
+    }
 }
