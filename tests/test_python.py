@@ -147,6 +147,12 @@ def test_the_fmu_gives_the_same_bits(scene, moving, tmp_path, fmi):
     assert all(same(found[name], table[name]) for name in outputs)
 
 
+def test_a_folder_is_no_file(scene, tmp_path):
+    with pytest.raises(IsADirectoryError, match=r"is a folder: give the file too, such as .*LemniscateCrane\.fmi2\.fmu"):
+        scene.fmu(tmp_path, fmi=2)
+    assert not any(tmp_path.iterdir())
+
+
 def test_inputs_of_a_run_are_functions_or_arrays(moving):
     at = np.array([0.0, 1.0, 2.0])
     values = np.array([0.0, 6e5, 6e5])
@@ -155,6 +161,38 @@ def test_inputs_of_a_run_are_functions_or_arrays(moving):
     assert list(one)[0] == "time" and one.shape == (21,) and one["time"][-1] == 2.0
     assert np.allclose(one["theta_1"], other["theta_1"], rtol=1e-12)
     assert moving.simulate(2.0, step=0.3, outputs="R")["time"][-1] == 2.0
+
+
+@pytest.mark.parametrize("step", [0.37, 1.0, 10.0])
+def test_a_run_tells_when_slewing_comes_to_rest(step):
+    """Coasting on level ground against Coulomb friction alone: t = (J_sl + m R²) omega_sl / M_Fsl, for every step."""
+    text = (SCENES / "slewing.toml").read_text()
+    for key, value in {"c_sl": "0 kN.m.s", "gamma_s": "0 deg"}.items():
+        text, found = re.subn(rf'(?m)^{key}( *)= ".*?"', rf'{key}\1= "{value}"', text)
+        assert found == 1
+    table = lemnis.Scene.parse(text).simulate(40.0, step=step, start={"omega_sl": 0.05, "M_sl": 0.0}, outputs="omega_sl")
+    (event,) = table.events
+    assert event == (event.time, "z.sl_rest")
+    assert event.time == pytest.approx((9e6 + 16e3 * 25.0**2) * 0.05 / 40e3, abs=1e-9)
+    assert table["omega_sl"][table["time"] > event.time].tolist() == [0.0] * int(np.sum(table["time"] > event.time))
+
+
+@pytest.mark.parametrize("name", ["load_on_ground", "slewing_coupling"])
+def test_a_run_tells_the_events_that_an_importer_finds(name, tmp_path):
+    """Model Exchange in FMPy, whose own solver finds them by event indicators: those, and the breaks of the commands."""
+    scene = lemnis.Scene.read(SCENES / f"{name}.toml")
+    table = scene.simulate()
+    path = scene.fmu(tmp_path / "crane.fmu")
+    stop = float(table["time"][-1])
+    found = simulate_fmu(str(path), fmi_type="ModelExchange", stop_time=stop, record_events=True, relative_tolerance=1e-9)["time"]
+    met = found[1:][np.diff(found) == 0.0]
+    breaks = {float(at) for at in re.findall(r'^ *\["([\d.]+) s"', scene.text, re.M)}
+    located = np.array([event.time for event in table.events])
+    assert len(located) >= 3 and np.all(np.diff(located) > 0.0)
+    assert all(name in scene.variables and scene.variables[name].role == "indicator" for _, name in table.events)
+    assert all(np.min(np.abs(met - time)) < 5e-6 for time in located)
+    others = [time for time in met if np.min(np.abs(located - time)) >= 5e-6]
+    assert {round(float(time), 9) for time in others} <= breaks
 
 
 def test_a_run_that_ends_says_why_and_keeps_what_came_before(scene):

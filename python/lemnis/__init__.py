@@ -17,11 +17,12 @@ from lemnis._lemnis import ModelError
 from lemnis.errors import Diagnostic, SceneError
 from lemnis.scene import Check, Quantity, Result, Scene, Synthesis, diagnostics, schema
 from lemnis.study import Study
-from lemnis.table import RunEnded, Table, Variable
+from lemnis.table import Event, RunEnded, Table, Variable
 
 __all__ = [
     "Check",
     "Diagnostic",
+    "Event",
     "ModelError",
     "Quantity",
     "Result",

@@ -348,8 +348,9 @@ class Scene(Studies):
 
         Without them the default experiment of the scene counts. `start` has values of parameters, states and inputs,
         `inputs` what changes: a function of time, or times and values, between which real inputs are linear and others
-        hold; each acts from the beginning of a step. The first column is `time`. Raises `RunEnded` where the motion
-        ends on the way: its `table` has what came before.
+        hold; each acts from the beginning of a step. The first column is `time`. The table's `events` tell which event
+        indicators fell below zero between these times, and when: a bar that comes to rest, a rope that goes slack, a load
+        that touches the ground. Raises `RunEnded` where the motion ends on the way: its `table` has what came before.
 
         >>> import lemnis
         >>> table = lemnis.Scene.default().simulate(2.0, step=1.0, outputs="R")
@@ -366,9 +367,9 @@ class Scene(Studies):
         wanted = listed(outputs, usual_outputs)
         signals = {name: self._signal(name, signal, times) for name, signal in (inputs or {}).items()}
         begin = [(name, float(numbers(name, value))) for name, value in (start or {}).items()]
-        columns, ended = self._core.simulate(begin, list(signals), list(signals.values()), times, wanted)
+        columns, events, ended = self._core.simulate(begin, list(signals), list(signals.values()), times, wanted)
         done = len(columns[0]) if columns else len(times)
-        table = Table({"time": times[:done], **dict(zip(wanted, columns))}, {"time": TIME, **self.variables})
+        table = Table({"time": times[:done], **dict(zip(wanted, columns))}, {"time": TIME, **self.variables}, events=events)
         if ended is not None:
             raise RunEnded(ended, table)
         return table
@@ -458,6 +459,8 @@ class Scene(Studies):
 
     def _made(self, command: str, path: Path, suffix: str, *options: str) -> Path:
         """A file that a command makes, at its place when it is whole."""
+        if path.is_dir():
+            raise IsADirectoryError(f"{path} is a folder: give the file too, such as {path / (self.name + suffix)}")
         path.parent.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=path.parent, prefix=".lemnis") as folder:
             program.run(command, self.text, "--output", folder, *options)

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,6 +35,13 @@ class Variable:
     """Of truth values, which are 0 and 1, and of enumerations, which count from 1; empty for real numbers."""
 
 
+class Event(NamedTuple):
+    """An event that a run met: when, in s, and which event indicator fell below zero."""
+
+    time: float
+    indicator: str
+
+
 class Table(Mapping[str, Column]):
     """Values of variables: a mapping from names to arrays of float64 of one shape, in SI.
 
@@ -48,12 +55,18 @@ class Table(Mapping[str, Column]):
     """
 
     def __init__(
-        self, columns: Mapping[str, Column], variables: Mapping[str, Variable], faults: Mapping[int, str] | None = None
+        self,
+        columns: Mapping[str, Column],
+        variables: Mapping[str, Variable],
+        faults: Mapping[int, str] | None = None,
+        events: Sequence[tuple[float, str]] = (),
     ) -> None:
         self._columns = dict(columns)
         self.variables = {name: variables[name] for name in columns}
         self.faults: dict[int, str] = dict(faults or {})
         """Of rows that do not exist, by their place in the flattened columns: why. Their values are NaN."""
+        self.events = tuple(Event(*event) for event in events)
+        """What was located on the way of a run, in the order of time."""
 
     def __getitem__(self, name: str) -> Column:
         try:

@@ -19,6 +19,7 @@ mod arrow;
 mod asked;
 mod edit;
 mod errors;
+mod events;
 mod motion;
 mod scene;
 mod study;

@@ -9,6 +9,7 @@ use lemnis_models::kernel::variable::Fault;
 use pyo3::prelude::*;
 
 use crate::errors::refused;
+use crate::events::{Event, Finder};
 use crate::work::shared;
 
 /// What runs.
@@ -53,31 +54,53 @@ impl Run {
     }
 }
 
-/// The outputs at each time, and why the run ended before the last one, if it did.
-///
+/// What a run gave.
+#[derive(Default)]
+pub struct Done {
+    /// The outputs at each time, one time after the other.
+    pub table: Vec<f64>,
+    pub events: Vec<Event>,
+    /// Why it ended before the last time, if it did.
+    pub ended: Option<String>,
+}
+
+impl Run {
+    /// A step to the next time, and what happened on the way.
+    fn step(&self, model: &mut Model, finder: &mut Finder, point: usize, done: &mut Done) -> Result<(), Fault> {
+        let times = [self.times[point], self.times[point + 1]];
+        self.set(model, point)?;
+        let (before, known) = (model.state(), model.count().events);
+        model.advance(times[0], times[1])?;
+        let count = model.count().events - known;
+        if count > 0 {
+            done.events.extend(finder.find(&before, times, count)?);
+        }
+        self.look(model, &mut done.table)
+    }
+}
+
 /// # Errors
 /// Values that cannot be, a motion that cannot begin, Ctrl+C.
-pub fn run(py: Python<'_>, run: Run, model: Model) -> PyResult<(Vec<f64>, Option<String>)> {
+pub fn run(py: Python<'_>, run: Run, model: Model) -> PyResult<Done> {
     let model = Mutex::new(Some(model));
     let mut done = shared(py, 1, move |stop| {
         let model = model.lock().unwrap_or_else(PoisonError::into_inner).take();
         let mut model = model.expect("one thread");
-        let mut table = Vec::with_capacity(run.times.len() * run.outputs.len());
-        run.begin(&mut model, &mut table)?;
-        for (point, step) in run.times.windows(2).enumerate() {
+        let mut done = Done::default();
+        done.table.reserve(run.times.len() * run.outputs.len());
+        run.begin(&mut model, &mut done.table)?;
+        let mut finder = Finder::new(&model);
+        for point in 1..run.times.len() {
             if stop.load(Ordering::Relaxed) {
                 break;
             }
-            let moved = run
-                .set(&mut model, point)
-                .and_then(|()| model.advance(step[0], step[1]))
-                .and_then(|()| run.look(&mut model, &mut table));
-            if let Err(fault) = moved {
-                let told = format!("the run ends at {} s: {}", short(step[0]), fault.message);
-                return Ok((table, Some(told)));
+            if let Err(fault) = run.step(&mut model, &mut finder, point - 1, &mut done) {
+                let at = short(run.times[point - 1]);
+                done.ended = Some(format!("the run ends at {at} s: {}", fault.message));
+                break;
             }
         }
-        Ok((table, None))
+        Ok(done)
     })?;
     let done: Result<_, Fault> = done.pop().expect("one thread");
     done.map_err(refused)

@@ -16,6 +16,7 @@ use pyo3::prelude::*;
 use crate::asked::{Asked, Given};
 use crate::edit::{self, Change};
 use crate::errors::{ModelError, refused};
+use crate::events::Event;
 use crate::told::Told;
 use crate::{asked, motion, work};
 
@@ -420,7 +421,8 @@ impl Scene {
     }
 
     /// A run through some times, with values to begin with and inputs of which each has a value for every time: the outputs
-    /// at these times, and why it ended before the last of them, if it did.
+    /// at these times, the event indicators that fell below zero on the way with their times (s), and why it ended before the
+    /// last of the times, if it did.
     ///
     /// # Errors
     /// A name that is none, a value that cannot be, a motion that cannot begin.
@@ -432,7 +434,7 @@ impl Scene {
         columns: Vec<PyReadonlyArray1<'py, f64>>,
         times: PyReadonlyArray1<'py, f64>,
         outputs: Vec<String>,
-    ) -> PyResult<(Vec<Column<'py>>, Option<String>)> {
+    ) -> PyResult<(Vec<Column<'py>>, Vec<(f64, String)>, Option<String>)> {
         let start = start.iter().map(|(name, value)| Ok((self.input(name)?, *value)));
         let given = inputs.iter().zip(&columns);
         let given = given.map(|(name, column)| Ok((self.input(name)?, column.as_array().to_vec())));
@@ -442,10 +444,13 @@ impl Scene {
             times: times.as_array().to_vec(),
             outputs: self.outputs(&outputs)?,
         };
-        let (table, ended) = motion::run(py, run, self.model())?;
+        let done = motion::run(py, run, self.model())?;
         let width = outputs.len();
-        let column = |at: usize| PyArray1::from_iter(py, table.iter().skip(at).step_by(width).copied());
-        Ok(((0..width).map(column).collect(), ended))
+        let column = |at: usize| PyArray1::from_iter(py, done.table.iter().skip(at).step_by(width).copied());
+        let model = self.model();
+        let name = |event: &Event| (event.time, model.variables()[event.indicator].name());
+        let events = done.events.iter().map(name).collect();
+        Ok(((0..width).map(column).collect(), events, done.ended))
     }
 
     /// What its book would say.

@@ -13,6 +13,7 @@ use crate::component::part::{Face, Part};
 use crate::component::stages::{Found, Slot, Source, absent};
 use crate::component::whole::{How, Whole};
 use crate::kernel::calc::Calc;
+use crate::kernel::variable::Quantity;
 use crate::parts::motion::Motion;
 
 /// A result of the range in a scene.
@@ -36,10 +37,15 @@ pub struct Spot {
 }
 
 impl Spread {
-    /// `None` where the scene does not model what it is about.
+    /// Of a component by its sources and results, and by which of the first are its coordinate and that one's rate; `None`
+    /// where the scene does not model what it is about.
     #[must_use]
-    pub fn new(whole: &Whole, part: &dyn Part, coordinate: Source, rate: Source) -> Option<Spread> {
-        let results = part.results();
+    pub fn new(
+        whole: &Whole,
+        sources: &[(Source, Quantity)],
+        results: &[(Slot, Quantity)],
+        [coordinate, rate]: [Source; 2],
+    ) -> Option<Spread> {
         let slot = |wanted| {
             let found = results.iter().find(|(_, (symbol, _))| *symbol == wanted);
             found.map(|(slot, _)| *slot)
@@ -51,7 +57,6 @@ impl Spread {
         };
         let with = match whole.how {
             How::Vanishes(Some((wanted, _))) => {
-                let sources = part.sources();
                 let found = sources.iter().find(|(_, (symbol, _))| *symbol == wanted);
                 found.map(|(source, _)| *source)
             }

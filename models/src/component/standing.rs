@@ -168,16 +168,17 @@ impl Standing {
                 false => Role::Calculated,
             }
         };
-        for (slot, quantity) in part.results() {
+        let results = part.results();
+        for &(slot, quantity) in &results {
             let indicator = part.indicators().contains(&quantity.0);
             let role = if indicator { Role::Indicator } else { role(slot.sources) };
             variables.push(Variable::new(quantity, role));
             places.push(VariablePlace::Result(slot));
         }
         let only = |wanted| of(wanted).next().expect("every component has it");
-        let mut wholes = Vec::new();
+        let (mut wholes, axes) = (Vec::new(), [only(Use::Coordinate), only(Use::Rate)]);
         for whole in part.whole() {
-            if let Some(spread) = Spread::new(whole, &*part, only(Use::Coordinate), only(Use::Rate)) {
+            if let Some(spread) = Spread::new(whole, &sources, &results, axes) {
                 variables.push(Variable::new((whole.symbol, None), role(spread.sources)));
                 places.push(VariablePlace::Whole(wholes.len()));
                 wholes.push(spread);
@@ -188,8 +189,8 @@ impl Standing {
         let mut model = Standing {
             indicators: (0..variables.len()).filter(indicator).collect(),
             axes: Axes {
-                coordinate: only(Use::Coordinate),
-                rate: only(Use::Rate),
+                coordinate: axes[0],
+                rate: axes[1],
                 load: of(Use::Load).next(),
             },
             clock: of(Use::Time).next(),

@@ -176,7 +176,10 @@ pub fn follows<T: Luffs>(model: &MovingComponent) -> Vec<BTreeSet<Name>> {
         if let Some(laws) = laws {
             T::put_laws(known::<T>(lively_model.parts().0), laws);
         }
-        if !groups.iter().any(|alike| alike.follow_more(&lively_model, &mut tangent)) {
+        if !groups
+            .iter()
+            .any(|alike| alike.follow_more(&lively_model, &mut tangent))
+        {
             continue;
         }
         for known in &givens {

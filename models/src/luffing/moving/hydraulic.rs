@@ -549,6 +549,7 @@ impl<const N: usize> Hydraulic<N> {
             if !present.run.at_event() {
                 return Ok(());
             }
+            present.run.count.events += 1;
             self.event(present)?;
             let work = present.run.count.since(before);
             if work.steps + work.rejected > MOST_IMPLICIT {

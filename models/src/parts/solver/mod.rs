@@ -74,6 +74,8 @@ pub struct Count {
     pub rejected: u32,
     /// Steps cut at a kink.
     pub kinks: u32,
+    /// Events that were located on the way, where it was decided what follows.
+    pub events: u32,
     /// Evaluations of the rates.
     pub rates: u32,
     /// Evaluations of the Jacobian, each with one factorisation or more.
@@ -88,6 +90,7 @@ impl Count {
             steps: self.steps - earlier.steps,
             rejected: self.rejected - earlier.rejected,
             kinks: self.kinks - earlier.kinks,
+            events: self.events - earlier.events,
             rates: self.rates - earlier.rates,
             jacobians: self.jacobians - earlier.jacobians,
         }
@@ -99,6 +102,7 @@ impl Count {
             steps: self.steps + more.steps,
             rejected: self.rejected + more.rejected,
             kinks: self.kinks + more.kinks,
+            events: self.events + more.events,
             rates: self.rates + more.rates,
             jacobians: self.jacobians + more.jacobians,
         }

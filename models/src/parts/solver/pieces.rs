@@ -47,10 +47,10 @@ pub fn advance<const N: usize, S: Copy, P: Pieces<N, S>>(
     let (mut left, mut equal) = (duration, steps(duration));
     // An event is decided at the very time at which it was located, which `left` has but for rounding.
     let mut time = 0.0;
-    let (mut count, mut events) = (Count::default(), 0);
+    let mut count = Count::default();
     while left > 0.0 {
         // A step that an event cuts in two is still one.
-        if f64::from(count.steps - events) + equal > f64::from(MOST_STEPS) {
+        if f64::from(count.steps - count.events) + equal > f64::from(MOST_STEPS) {
             return Err(Halt::TooMany);
         }
         count.steps += 1;
@@ -65,8 +65,8 @@ pub fn advance<const N: usize, S: Copy, P: Pieces<N, S>>(
         equal -= 1.0;
         // A step that was tried again ends at an event.
         if tried > 1 {
-            events += 1;
-            if events > MOST_EVENTS {
+            count.events += 1;
+            if count.events > MOST_EVENTS {
                 return Err(Halt::TooMany);
             }
             system.event(time, state)?;
