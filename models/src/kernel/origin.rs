@@ -57,12 +57,12 @@ pub struct Origins(Vec<Known>, Vec<Written>);
 impl Origins {
     /// Of a scene's text with its values.
     pub fn read(text: &str, values: &Values) -> Origins {
-        let mut found = Vec::new();
+        let (mut found, lines) = (Vec::new(), Lines::new(text));
         quantities(values, "", "", &mut found);
         let known = found.into_iter().map(|(key, symbol, value, placed)| Known {
             given: placed.map(|(place, number, key)| Origin {
                 key,
-                line: line(text, &place),
+                line: lines.at(&place),
                 rounding: rounding(&text[place.clone()], value, number.source.as_ref()),
                 place,
                 mass: number.mass,
@@ -79,7 +79,7 @@ impl Origins {
         places.sort_by_key(|(_, place)| place.start);
         let written = places.into_iter().map(|(key, place)| Written {
             key,
-            line: line(text, &place),
+            line: lines.at(&place),
             text: shortened(&text[place]),
         });
         Origins(known.collect(), written.collect())
@@ -229,10 +229,24 @@ fn rounding(written: &str, value: f64, source: Option<&Text>) -> Option<f64> {
     Some(0.5 * last * (value / shown).abs())
 }
 
-/// Line of a place in the scene, counted from 1.
+/// Where lines of a scene's text end.
+struct Lines(Vec<usize>);
+
+impl Lines {
+    fn new(text: &str) -> Lines {
+        Lines(text.match_indices('\n').map(|(at, _)| at).collect())
+    }
+
+    /// Line of a place in the scene, counted from 1.
+    fn at(&self, place: &Range<usize>) -> usize {
+        1 + self.0.partition_point(|end| *end < place.start)
+    }
+}
+
+/// Line of a place in a scene's text, counted from 1.
 #[must_use]
 pub fn line(text: &str, place: &Range<usize>) -> usize {
-    1 + text[..place.start].matches('\n').count()
+    Lines::new(text).at(place)
 }
 
 impl Values {

@@ -1,6 +1,5 @@
 //! Controllers of a crane's drives: [`crate::parts::control`] as the source of the moments of luffing, slewing and a hoist's
-//! motor, which one PLC samples, or
-//! which are continuous.
+//! motor, which one PLC samples, or which are continuous.
 //!
 //! | file | what |
 //! |---|---|
