@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import math
 import os
 import tempfile
 from collections.abc import Callable, Mapping, Sequence
@@ -115,11 +116,15 @@ def together(inputs: Numbers | None, named: Numbers) -> tuple[list[str], list[Co
     if len(given) < len(inputs or {}) + len(named):
         raise TypeError(f"{', '.join(sorted(set(inputs or {}) & set(named)))} given twice")
     columns = {name: numbers(name, value) for name, value in given.items()}
+    shapes = {column.shape for column in columns.values()}
+    if len(shapes) == 1:
+        (shape,) = shapes
+        return list(columns), [column.reshape(-1) for column in columns.values()], shape
     try:
-        shape = np.broadcast_shapes(*(column.shape for column in columns.values()))
+        shape = np.broadcast_shapes(*shapes)
     except ValueError:
-        shapes = ", ".join(f"{name} {column.shape}" for name, column in columns.items())
-        raise ValueError(f"shapes that do not fit together: {shapes}") from None
+        told = ", ".join(f"{name} {column.shape}" for name, column in columns.items())
+        raise ValueError(f"shapes that do not fit together: {told}") from None
     flat = [
         column.reshape(-1) if column.size == 1 else np.broadcast_to(column, shape).reshape(-1)
         for column in columns.values()
@@ -256,6 +261,7 @@ class Scene(Studies):
             raise _lemnis.ModelError('fidelity = "auto" leaves the level open: `Scene.decided()` chooses it by the accuracy asked for')
         return self._core
 
+    @cached_property
     def _outputs(self) -> list[str]:
         return [name for name, variable in self.variables.items() if variable.role == "output"]
 
@@ -302,8 +308,8 @@ class Scene(Studies):
         if faults not in ("raise", "nan"):
             raise ValueError(f'faults must be "raise" or "nan", not {faults!r}')
         names, columns, shape = together(inputs, named)
-        wanted = listed(outputs, self._outputs())
-        count = int(np.prod(shape))
+        wanted = listed(outputs, self._outputs)
+        count = math.prod(shape)
         found, wrong = self._decided().evaluate(names, columns, count, wanted, cores(threads), faults == "nan")
         if faults == "raise":
             failed(wrong, shape)
@@ -331,7 +337,7 @@ class Scene(Studies):
         """
         names, columns, shape = together(at, named)
         of, wrt = listed(of, ()), listed(wrt, ())
-        found, wrong = self._decided().jacobian(names, columns, int(np.prod(shape)), of, wrt, cores(threads))
+        found, wrong = self._decided().jacobian(names, columns, math.prod(shape), of, wrt, cores(threads))
         failed(wrong, shape)
         return found.reshape((*shape, len(of), len(wrt)))
 

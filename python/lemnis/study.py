@@ -184,10 +184,13 @@ def spread(executor: Executor, text: str, count: int) -> list[Rows]:
         raise
 
 
+CORES = os.cpu_count() or 1
+
+
 def cores(threads: int | None) -> int:
     """How many threads share the rows."""
     if threads is None:
-        return os.cpu_count() or 1
+        return CORES
     if threads < 1:
         raise ValueError(f"threads must be at least 1, not {threads}")
     return int(threads)

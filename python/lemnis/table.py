@@ -65,7 +65,7 @@ class Table(Mapping[str, Column]):
         self.variables = {name: variables[name] for name in columns}
         self.faults: dict[int, str] = dict(faults or {})
         """Of rows that do not exist, by their place in the flattened columns: why. Their values are NaN."""
-        self.events = tuple(Event(*event) for event in events)
+        self.events = tuple(map(Event._make, events))
         """What was located on the way of a run, in the order of time."""
 
     def __getitem__(self, name: str) -> Column:

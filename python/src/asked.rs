@@ -2,7 +2,7 @@
 //! threads share them.
 
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use lemnis_models::component::model::Model;
 use lemnis_models::kernel::number::short;
@@ -24,7 +24,7 @@ pub struct Given {
 
 /// What is asked of a model.
 pub struct Asked {
-    variables: Vec<Variable>,
+    variables: Arc<[Variable]>,
     /// Inputs and parameters.
     given: Vec<Given>,
     coordinate: Option<Given>,
@@ -80,9 +80,14 @@ impl Given {
 impl Asked {
     /// # Errors
     /// An input that cannot be set, or is given twice.
-    pub fn new(variables: &[Variable], given: Vec<Given>, count: usize, outputs: Vec<usize>) -> Result<Asked, String> {
+    pub fn new(
+        variables: &Arc<[Variable]>,
+        given: Vec<Given>,
+        count: usize,
+        outputs: Vec<usize>,
+    ) -> Result<Asked, String> {
         let mut asked = Asked {
-            variables: variables.to_vec(),
+            variables: Arc::clone(variables),
             given: Vec::new(),
             coordinate: None,
             states: Vec::new(),

@@ -25,7 +25,7 @@ use crate::{asked, motion, work};
 pub struct Scene {
     scene: Arc<scene::Scene>,
     models: Mutex<Models>,
-    variables: Vec<Variable>,
+    variables: Arc<[Variable]>,
     places: HashMap<String, usize>,
     keys: Mutex<HashMap<String, Result<Quantity, String>>>,
     told: OnceLock<Arc<Told>>,
@@ -106,8 +106,8 @@ type Described<'a> = (
 impl Scene {
     fn new(scene: scene::Scene) -> Result<Scene, Fault> {
         let pristine = scene.model()?;
-        let variables = pristine.variables().to_vec();
-        let places = (0..).zip(&variables).map(|(index, variable)| (variable.name(), index));
+        let variables: Arc<[Variable]> = pristine.variables().into();
+        let places = (0..).zip(&*variables).map(|(index, variable)| (variable.name(), index));
         Ok(Scene {
             places: places.collect(),
             variables,
@@ -182,6 +182,9 @@ impl Scene {
 
     /// The variable of a name that may be set.
     fn input(&self, name: &str) -> PyResult<usize> {
+        if let Some(&index) = self.places.get(name) {
+            return Ok(index);
+        }
         let quantity = self.quantity(name).map_err(ModelError::new_err)?;
         let index = self
             .variables
@@ -388,6 +391,9 @@ impl Scene {
             asked::values(py, asked, self.for_threads(threads), every)?
         };
         let column = |at: usize| {
+            if threads == 0 {
+                return Ok(PyArray1::from_vec(py, rows.column(at, count)));
+            }
             py.check_signals()?;
             let column = py.detach(|| rows.column(at, count));
             Ok(PyArray1::from_vec(py, column))
