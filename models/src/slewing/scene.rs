@@ -8,6 +8,7 @@ use crate::component::moving::sampled::with_samples;
 use crate::component::moving::smooth::SmoothPieces;
 use crate::component::outline::{Limit, Outline};
 use crate::component::sheet::{Check, Drawing, Input};
+use crate::component::stages::Stages;
 use crate::component::standing::Standing;
 use crate::component::telling::{fine, sample};
 use crate::kernel::calc::Calc;
@@ -30,7 +31,7 @@ use crate::parts::shaping;
 use crate::parts::slip;
 use crate::parts::turntable::{self as joint, SlewingJoint};
 use crate::parts::turntable_control::{self, AXIS, CONTINUOUS, CONTROL};
-use crate::slewing::bounds::Slewed;
+use crate::slewing::bounds::{Slewed, weightless};
 use crate::slewing::coupling::{DriveSide, SlipCoupling, SlipPast};
 use crate::slewing::motion::{Past, SlewingDrive, Stops};
 use crate::slewing::outline::OUTLINE;
@@ -169,13 +170,6 @@ fn in_air(
     Some((around, WindAtLoad { v_air, chi_air }))
 }
 
-/// Refuses what has no inertia.
-fn weightless(v: &Values) -> Diagnostic {
-    let what = "nothing that slews has an inertia";
-    let help = "make J_sl greater than zero, or let a load hang at a reach that does not swing";
-    v.refuse(joint::J_SL.id, what, "nothing to turn", help)
-}
-
 /// The controller with its command, of an inertia (kg·m²), and the coupling, where there are any; mistakes go to `found`.
 #[expect(clippy::type_complexity, reason = "both may be absent")]
 fn driven(
@@ -209,6 +203,19 @@ fn steady(control: Option<SpeedControl>, omega: f64) -> (Option<Latched>, (Optio
 fn open(v: &Values) -> Open {
     let both = [&s::R, &s::Q].into_iter();
     Open(both.filter(|symbol| v.is_input(symbol.id)).collect())
+}
+
+/// Whether the coupling slips, at the start of the working range.
+fn settle(given: &mut Given<f64>) {
+    if let Some(coupling) = given.coupling
+        && let Ok(&moment) = SlewingCrane::new(given.clone()).passing()
+        && moment.abs() > coupling.m_lim
+    {
+        given.slipping = Some(SlipPast {
+            slip: moment.signum(),
+            way_d: 1.0,
+        });
+    }
 }
 
 impl Described for SlewingScene {
@@ -275,7 +282,7 @@ impl Described for SlewingScene {
             return None;
         }
         let (latched, (regulating, regime)) = steady(control, range.speed);
-        let given = Given {
+        let mut given = Given {
             psi: One(&s::PSI_SL, range.from),
             omega: One(&s::OMEGA_SL, range.speed),
             hung: Hung {
@@ -306,6 +313,7 @@ impl Described for SlewingScene {
             stops: Stops(joint.stops),
             open: open(v),
         };
+        settle(&mut given);
         let step = v.of(&s::STEP).unwrap_or_else(|| slewed.longest());
         Some((
             SlewingScene {
@@ -359,7 +367,7 @@ impl Described for SlewingScene {
         let mut resting = this.clone();
         resting.own.given.past.way = 0.0;
         if let Some(past) = &mut resting.own.given.slipping {
-            past.way_d = 0.0;
+            *past = SlipPast { slip: 0.0, way_d: 0.0 };
         }
         if let Some(latched) = &mut resting.own.given.latched {
             latched.set = this.start[1];
