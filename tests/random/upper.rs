@@ -60,8 +60,8 @@ pub fn slewing(n: &mut Node, [size, weight, far]: [f64; 3]) {
     });
 }
 
-/// What slews may move behind a coupling, as fast as its head stays on its crane; without friction, of which a coupling of any
-/// drive carries enough, and on level ground.
+/// What slews may move behind a coupling, as fast as its head stays on its crane; with next to no friction, of which a
+/// coupling of any drive carries more, and on level ground.
 pub fn moving(n: &mut Node) {
     let coupled = n.child("slewing_drive").is_some_and(|drive| drive.has("coupling"));
     let moves = coupled && n.has("R") && n.draw.coin(0.8);
@@ -69,11 +69,20 @@ pub fn moving(n: &mut Node) {
     n.keep("slewing", moves);
     if moves {
         n.remove(&["slope"]);
+        for table in ["friction", "maker_friction"] {
+            let Some(mut friction) = n.child(table) else { continue };
+            for name in ["mu_n", "mu_m", "mu_u", "mu_f", "mu_p"] {
+                let little = friction.draw.between(0.0, 1e-7);
+                if friction.has(name) {
+                    friction.set(name, little);
+                }
+            }
+        }
     }
     let start = n.draw.between(-PI, PI);
     let Some(mut own) = n.child("slewing") else { return };
     own.put("fidelity", "rigid");
-    own.remove(&["c_sl", "M_Fsl", "M_sl", "omega_sl"]);
+    own.remove(&["c_sl", "M_sl", "omega_sl"]);
     for (name, angle) in [("psi_sl", start), ("psi_min", start - 0.5), ("psi_max", start + 1.0)] {
         own.keep(name, true);
         own.set(name, angle);

@@ -37,7 +37,8 @@ pub const OUTLINE: Outline = Outline {
         ("upper_cases", listed!(u: K_Q, P_W, CHI_W)),
         ("upper_cases", listed!(d: N_S, ALPHA_Q, K_B)),
         engine::USE,
-        moving::USE,
+        moving::USES[0],
+        moving::USES[1],
     ],
     forces: listed!(s: V, H, M, H_U, H_F),
     worst: &[("greatest_bearing_force", &s::H_U_TOP)],
@@ -70,7 +71,7 @@ const OWN_CURVES: [Line; 4] = [
     ("column_foot", None, &s::H_F),
 ];
 
-const EXTREMES: [Greatest; 30] = joined(OWN_EXTREMES, drive::EXTREMES);
+const EXTREMES: [Greatest; 31] = joined(OWN_EXTREMES, drive::EXTREMES);
 
 const OWN_EXTREMES: [Greatest; 9] = [
     Greatest::new(&s::V_TOP, Most::Greatest, &s::V),

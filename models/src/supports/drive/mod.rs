@@ -19,7 +19,7 @@
 //! | `drive.motor` | [`motor::TurningMotor::new`], [`motor::TurningHeat::new`] | Ports001, 6.5.2 |
 //! | `drive.starts` | [`starts::started`], [`starts::HardestPush::new`] | Ports001, 6.5.2 |
 //! | `drive.brake` | [`brake::TurningHold::new`], [`brake::TurningStop::new`], [`brake::Coupled::new`] | Ports001, 6.5.4 |
-//! | `drive.moving` | [`moving::side`], [`moving::slips`] | Ports001, 6.5.4 |
+//! | `drive.moving` | [`moving::side`], [`moving::slips`], [`moving::dry`] | Ports001, 6.5.1 and 6.5.4 |
 //! | `drive.pinion` | [`pinion::meshed`], [`pinion::PinionForce::new`] | Ports001, 6.5.4; Hertz, Lewis |
 
 pub mod able;

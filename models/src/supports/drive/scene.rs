@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::component::description::MovedBeside;
+use crate::component::beside::MovedBeside;
 use crate::component::mechanism::Solver;
 use crate::component::moving::MovingComponent;
 use crate::kernel::diagnostic::Diagnostic;

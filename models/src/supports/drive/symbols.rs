@@ -44,6 +44,7 @@ symbols! {
     M_Z: "M_z" "M_(z i)" N_M / KN_M, "Moment of slope and wind about the slewing axis; positive counter-clockwise, seen from above.", "equilibrium";
     M_AQ: "M_aQ" "M_(alpha i)" N_M / KN_M, "Moment of the swaying load's rope about the slewing axis.", "[Ports001, 6.5.1]";
     M_FS: "M_fs" "M_(\"f\" i)" N_M / KN_M, "Friction moment of the slewing support that the drive overcomes: the greatest of the forms that the scene gives.", "[Ports001, 6.5.1]";
+    M_FS0: "M_fs0" "M_(\"f\" 0)" N_M / KN_M, "Friction moment of the slewing support in the load case of heating, which slewing in motion has.", "[Ports001, 6.5.1]";
     M_ST: "M_st" "M_(\"st\" i)" N_M / KN_M, "Moment against steady slewing, that way round in which slope and wind resist.", "[Ports001, 6.5.1]";
 
     // At a motor's shaft, in a case.

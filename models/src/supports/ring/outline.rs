@@ -37,7 +37,8 @@ pub const OUTLINE: Outline = Outline {
         ("upper_cases", listed!(u: K_Q, P_W, CHI_W)),
         ("upper_cases", listed!(d: N_S, ALPHA_Q, K_B)),
         engine::USE,
-        moving::USE,
+        moving::USES[0],
+        moving::USES[1],
         ("ring_curve", listed!(s: F_CURVE, M_CURVE)),
     ],
     forces: listed!(s: V, H, M, P_MAX, P_MIN),
@@ -75,7 +76,7 @@ const OWN_CURVES: [Line; 5] = [
     ("ring_least", None, &s::P_MIN),
 ];
 
-const EXTREMES: [Greatest; 37] = joined(OWN_EXTREMES, drive::EXTREMES);
+const EXTREMES: [Greatest; 38] = joined(OWN_EXTREMES, drive::EXTREMES);
 
 const OWN_EXTREMES: [Greatest; 16] = [
     Greatest::new(&s::V_TOP, Most::Greatest, &s::V),
