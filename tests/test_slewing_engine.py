@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from fmpy import read_model_description, simulate_fmu
 from fmpy.validation import validate_fmu
-from scipy.optimize import minimize_scalar
+from scipy.optimize import brentq, minimize_scalar
 
 import test_slewing_column
 import test_slewing_ring
@@ -36,14 +36,16 @@ speed = "9 deg/s"
 """
 
 
-def torque(psi, case):
-    """What the coupling transmits in start and stop, at a slewing angle."""
+def torque(psi, case, rope):
+    """What the coupling transmits in start and stop, at a slewing angle, the load swung out on a rope (m) in steady slewing."""
     factor, pressure, speed = CASES[case]
-    load = factor * LOAD
+    load, omega = factor * LOAD, speed * 2 * math.pi / 60
+    theta = brentq(lambda theta: G * math.tan(theta) - omega**2 * (REACH + rope * math.sin(theta)), 0.0, 1.0, xtol=1e-15)
+    out = REACH + rope * math.sin(theta)
     outer = -math.sin(SLOPE) * math.sin(psi) * (sum(g * r for g, r, _ in UPPER) + load * REACH) \
         + pressure * math.cos(psi) * sum(a * r for (a, _), r in zip(AREAS, PLACES))
     friction = float(by_hand(psi, REACH, LOAD, case)[3])
-    gear, inertia = RATIO * EFFICIENCY, J_0 + load / G * REACH**2
+    gear, inertia = RATIO * EFFICIENCY, J_0 + load / G * out**2
     against = (friction + abs(outer)) / gear
     behind = friction - abs(outer)
     behind = behind / gear if behind > 0 else behind * EFFICIENCY / RATIO
@@ -71,9 +73,12 @@ def friction():
     return over_a_turn(lambda psi: float(by_hand(psi, REACH, LOAD, 0)[3]))
 
 
-# The coupling's limit is that of all cases, at the slewing axis.
-M_LIM = K_LIM * RATIO * max(over_a_turn(lambda psi: torque(psi, case)) for case in range(3))
-M_F = friction()
+def limit(rope=0.0):
+    """Of the coupling in all cases, at the slewing axis."""
+    return K_LIM * RATIO * max(over_a_turn(lambda psi: torque(psi, case, rope)) for case in range(3))
+
+
+M_LIM, M_F = limit(), friction()
 
 
 def built(folder, text, name):
@@ -82,29 +87,33 @@ def built(folder, text, name):
     return {standard: str(folder / f"{name}{end}") for standard, end in ENDS.items()}
 
 
-@pytest.fixture(scope="module")
-def fmus(tmp_path_factory):
-    """The ready scene, and slewing alone with the same numbers by hand."""
-    folder, text = tmp_path_factory.mktemp("engine"), SCENE.read_text("utf-8")
+def by_itself(text, rope="", most=M_LIM):
+    """Slewing alone with the numbers of the ready scene by hand."""
     told = text[text.index("[slewing]\n") + len("[slewing]\n"):]
     weight, ahead = sum(g for g, *_ in UPPER), sum(g * r for g, r, _ in UPPER)
-    alone = f"""name = "ByHand"
+    return f"""name = "ByHand"
 title = "By hand"
 [slewing]
 J_sl = "{J_0!r} kg.m2"
 R = {{ input = "{REACH} m" }}
 Q = {{ input = "{LOAD!r} N" }}
 M_Fsl = "{M_F!r} N.m"
-{told}
+{rope}{told}
 [slewing.coupling]
 J_d = "{J_D!r} kg.m2"
-M_lim = "{M_LIM!r} N.m"
+M_lim = "{most!r} N.m"
 [slewing.slope]
 gamma_s = "0.3 deg"
 G_u = "{weight!r} N"
 r_u = "{ahead / weight!r} m"
 {MOTION}"""
-    return {"drive": built(folder, text, "SlewingEngine"), "hand": built(folder, alone, "ByHand")}
+
+
+@pytest.fixture(scope="module")
+def fmus(tmp_path_factory):
+    """The ready scene, and slewing alone with the same numbers."""
+    folder, text = tmp_path_factory.mktemp("engine"), SCENE.read_text("utf-8")
+    return {"drive": built(folder, text, "SlewingEngine"), "hand": built(folder, by_itself(text), "ByHand")}
 
 
 @pytest.mark.parametrize("standard", ENDS)
@@ -124,6 +133,33 @@ def test_the_motion_is_that_of_slewing_alone(fmus, standard, kind):
     assert one["psi_slip"][-1] > 0.1 and one["omega_sl"].max() > 0.1 and one["omega_sl"][-1] == 0.0
     for name in NAMES:
         assert np.abs(one[name] - other[name]).max() <= 1e-10 * np.abs(other[name]).max(), name
+
+
+SWINGING = ["psi_sl", "omega_sl", "omega_d", "psi_slip", "x_Q", "y_Q", "z_Q", "S_R"]
+
+
+@pytest.mark.parametrize("by_drive", [True, False])
+def test_a_load_that_swings_is_that_of_slewing_alone(tmp_path, by_drive):
+    """On the rope of the drive, on which it swings out in steady slewing too, or on one that slewing gives."""
+    air = '[slewing.air]\nQ_air = "5 t"\nd_Q = "120 N.s/m"\nc_wQ = "1.2"\nA_Q = "6 m2"\nv_air = "8 m/s"\nchi_air = "30 deg"\n'
+    text = SCENE.read_text("utf-8").replace('fidelity = "rigid"\n', 'fidelity = "swing"\nphi_R = "2 deg"\n') + air
+    rope = 'l_R = "18 m"\n'
+    beside = text.replace("heating  = 1\n", "heating  = 1\n" + rope) if by_drive else text.replace('phi_R = "2 deg"\n', 'phi_R = "2 deg"\n' + rope)
+    assert beside.count("l_R") == 1
+    paths = built(tmp_path, beside, "SlewingEngine"), built(tmp_path, by_itself(text, rope, limit(18.0 if by_drive else 0.0)), "ByHand")
+    for standard in ENDS:
+        assert not validate_fmu(paths[0][standard])
+        for kind in KINDS:
+            one, other = (simulate_fmu(of[standard], fmi_type=kind, stop_time=28.0, output_interval=0.25, relative_tolerance=1e-10, output=SWINGING,
+                                       record_events=False) for of in paths)
+            assert one["psi_slip"][-1] > 0.1 and np.ptp(one["z_Q"]) > 0.5
+            for name in SWINGING:
+                assert np.abs(one[name] - other[name]).max() <= 1e-10 * np.abs(other[name]).max(), name
+    lemnis("book", tmp_path / "SlewingEngine.toml", "--format", "typ", "--output", tmp_path)
+    book, known = typst(tmp_path / "SlewingEngine.typ"), words("en")
+    for said in (known["section"]["slewing_swing"], known["assumption"]["slewing_level_swing"], known["assumption"]["slewing_hook"].split("$")[0]):
+        assert said in book, said
+    assert known["assumption"]["slewing_level_rigid"] not in book
 
 
 def on_level_ground(told):

@@ -1,6 +1,7 @@
 //! A mechanism in motion beside another one: what runs, and what the other one's book tells of it.
 
 use std::fmt;
+use std::sync::Arc;
 
 use crate::component::description::{Described, Description};
 use crate::component::judged::judged;
@@ -22,6 +23,15 @@ pub trait MovedBeside: fmt::Debug + Send + Sync {
     /// How that is solved.
     fn solved(&self) -> Option<Solver>;
 
+    /// Levels at which it moves, and others that it may stand for, from cheap to deep.
+    fn levels(&self) -> Vec<&'static str>;
+
+    /// The same at one of these.
+    fn at(&self, level: &str) -> Arc<dyn MovedBeside>;
+
+    /// Ids of its level and of what its model takes for granted.
+    fn assumptions(&self) -> Vec<&'static str>;
+
     /// All its formulas at its worst position, with what they take from the other one and from the scene, under a name for the
     /// position.
     fn told(&self, id: &'static str) -> Worked;
@@ -37,6 +47,20 @@ impl<T: Described> MovedBeside for Description<T> {
 
     fn solved(&self) -> Option<Solver> {
         self.own.solver()
+    }
+
+    fn levels(&self) -> Vec<&'static str> {
+        self.own.levels()
+    }
+
+    fn at(&self, level: &str) -> Arc<dyn MovedBeside> {
+        let mut other = self.clone();
+        other.own.set_level(level);
+        Arc::new(other)
+    }
+
+    fn assumptions(&self) -> Vec<&'static str> {
+        T::assumptions(self)
     }
 
     fn told(&self, id: &'static str) -> Worked {

@@ -38,11 +38,12 @@ pub struct Vocabulary {
 }
 
 impl Vocabulary {
-    /// Whether a symbol is one of these.
+    /// Whether these words say what a symbol is: one of its own, or a shared one whose id none of its own has.
     #[must_use]
     pub fn has(&self, symbol: &Symbol) -> bool {
         let has = |tables: &[&[&'static Symbol]]| tables.iter().any(|table| table.contains(&symbol));
-        has(self.own) || has(self.shared)
+        let mut own = self.own.iter().copied().flatten();
+        has(self.own) || has(self.shared) && own.all(|own| own.id != symbol.id)
     }
 }
 

@@ -45,7 +45,7 @@ pub struct SlewingJoint {
 
 /// What carries all that slews gives to its motion: inertia (kg·m²) and dry friction (N·m); reach (m) and load (N), each with whether
 /// it is an input; slope (rad) with the weight (N) of what slews and its lever (m); of the coupling inertia of the drive's side (kg·m²)
-/// and limit (N·m).
+/// and limit (N·m); length of the rope (m), where the drive gives one.
 #[derive(Clone, Copy, Debug)]
 pub struct Borne {
     pub inertia: f64,
@@ -55,6 +55,7 @@ pub struct Borne {
     pub slope: Option<[f64; 3]>,
     pub side: f64,
     pub limit: f64,
+    pub rope: Option<f64>,
 }
 
 /// Refuses a table that says nothing of the inertia of what slews.

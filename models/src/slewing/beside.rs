@@ -33,6 +33,8 @@ pub fn beside(
             (&s::R_U, arm, false),
         ]);
     }
+    let swings = own.text("fidelity") == Some("swing");
+    given.extend(borne.rope.filter(|_| swings).map(|length| (&s::L_R, length, false)));
     let all = own.completed(KEYS, tables, &given);
     Some(Arc::new(Description::<SlewingScene>::read(&all, gravity, found)?))
 }

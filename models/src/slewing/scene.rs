@@ -87,7 +87,7 @@ static DYNAMICS: &[Key] = keys! { s: STEP > 0 };
 /// How the motion is solved.
 pub const SOLVED: Key = Key::part("dynamics", DYNAMICS, "How slewing by itself is solved.");
 
-/// Keys that say something of a motion alone, and of a load that swings.
+/// Keys that say something of a motion alone.
 const MOVING: [&str; 9] = [
     "M_sl",
     "M_Bsl",
@@ -99,7 +99,9 @@ const MOVING: [&str; 9] = [
     "control",
     COUPLING.name,
 ];
-const SWINGING: [&str; 3] = ["l_R", "phi_R", "chi_R"];
+
+/// Keys of a load that swings.
+pub const SWINGING: [&str; 4] = ["l_R", "phi_R", "chi_R", AIR.name];
 
 /// What the rates cost, in s, without a load that swings and with it.
 const COST: [[f64; 2]; 2] = [[0.1e-6, 0.0], [0.4e-6, 0.0]];
@@ -146,7 +148,7 @@ fn suits(v: &Values, found: &mut Vec<Diagnostic>) -> [bool; 2] {
             "set fidelity = \"rigid\" or \"swing\", or remove it",
         ));
     }
-    if let (false, Some(key)) = (swings, SWINGING.iter().chain([&AIR.name]).find(|key| v.has(key))) {
+    if let (false, Some(key)) = (swings, SWINGING.iter().find(|key| v.has(key))) {
         let what = format!("`{key}` without a swinging load");
         let help = "remove it: the load keeps its place under the head; or set fidelity = \"swing\"";
         found.push(v.refuse(key, what, "not used", help));
@@ -351,11 +353,10 @@ impl Described for SlewingScene {
     fn unused(&self, level: &str) -> Vec<(&'static str, &'static [&'static str])> {
         match level {
             "swing" => Vec::new(),
-            "rigid" => vec![("slewing", &SWINGING), (AIR.name, &[])],
+            "rigid" => vec![("slewing", &SWINGING)],
             _ => vec![
                 ("dynamics", &[]),
                 ("slewing", &SWINGING),
-                (AIR.name, &[]),
                 (CONTROL.name, &[]),
                 (COUPLING.name, &[]),
             ],

@@ -43,17 +43,18 @@ pub mod told;
 use crate::kernel::gravity;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::luffing::aboard;
-use crate::parts::{self, hanging, slip, teeth, turntable};
+use crate::parts::{self, air, hanging, slip, teeth, turntable};
 use crate::supports::drive::symbols as s;
 
 /// Symbols that it shares with other drives.
-pub const SHARED: [&[&Symbol]; 9] = [
+pub const SHARED: [&[&Symbol]; 10] = [
     aboard::ALL,
     parts::motor::ALL,
     parts::starts::ALL,
     teeth::ALL,
     crate::drive::symbols::ALL,
     hanging::ALL,
+    air::ALL,
     gravity::ALL,
     turntable::ALL,
     slip::ALL,

@@ -17,9 +17,11 @@ use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::group::One;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Values};
+use crate::kernel::sign::Sign;
 use crate::kernel::symbol::{Symbol, listed};
-use crate::parts::slip;
+use crate::parts::air::AIR;
 use crate::parts::turntable::{self as joint, Borne};
+use crate::parts::{hanging, slip};
 use crate::supports::drive::brake::Coupled;
 use crate::supports::drive::gear::TurningDrive;
 use crate::supports::drive::given::{Moves, TurningChoice};
@@ -34,12 +36,16 @@ pub const DYNAMICS: &str = "dynamics";
 
 const OWN: &[Key] = keys! { joint:
     C_SL >= 0 [optional], M_SL [over_time, optional], M_B_SL >= 0 [over_time, optional], PSI_SL [optional],
-    OMEGA_SL [optional], PSI_MIN [optional], PSI_MAX [optional];
-    Key::choice("fidelity", &[LEVEL], "\"rigid\": slewing moves under the moments of its drive and brake.")
+    OMEGA_SL [optional], PSI_MIN [optional], PSI_MAX [optional], CHI_R [optional];
+    Key::choice(
+        "fidelity",
+        &["rigid", "swing"],
+        "\"rigid\": slewing moves under the moments of its drive and brake; \"swing\": its load swings on a rope besides.",
+    ),
+    Key::quantity(&s::L_R, Sign::Positive).optional(),
+    Key::quantity(&hanging::PHI_R, Sign::Any).optional(),
+    AIR
 };
-
-/// The level in motion.
-pub const LEVEL: &str = "rigid";
 
 /// What is followed over a cycle of commands.
 pub const FOLLOWED: &[&Symbol] = &[&joint::M_SL, &slip::OMEGA_D, &slip::M_CD, &slip::W_SLIP];
@@ -48,9 +54,10 @@ pub const FOLLOWED: &[&Symbol] = &[&joint::M_SL, &slip::OMEGA_D, &slip::M_CD, &s
 pub const TOGETHER: &[[&Symbol; 2]] = &[[&joint::OMEGA_SL, &slip::OMEGA_D]];
 
 /// What is given for motion alone, and in no formula.
-pub const USES: [(&str, &[&Symbol]); 2] = [
+pub const USES: [(&str, &[&Symbol]); 3] = [
     ("stops", listed!(joint: PSI_MIN, PSI_MAX)),
     ("start", listed!(joint: PSI_SL, OMEGA_SL)),
+    ("hook", &[&s::L_R, &hanging::PHI_R, &joint::CHI_R]),
 ];
 
 /// J_d = z J_M i², in kg·m². [Ports001, 6.5.4]
@@ -87,15 +94,24 @@ pub fn moves(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Moves> {
         }
         return None;
     };
-    if own.text("fidelity") != Some(LEVEL) {
-        let what = format!("[slewing] beside [supports] without fidelity = \"{LEVEL}\"");
-        let help = format!("set fidelity = \"{LEVEL}\", or remove [slewing]: [supports] alone stands still");
+    if own.text("fidelity").is_none() {
+        let what = "[slewing] beside [supports] without fidelity = \"rigid\" or \"swing\"";
+        let help = "set one of them, or remove [slewing]: [supports] alone stands still";
         found.push(own.refuse("fidelity", what, "not here", help));
     }
     if !v.table("slewing_drive").is_some_and(|drive| drive.has("coupling")) {
         let what = "[slewing] beside [supports] without [supports.slewing_drive.coupling]";
         let help = "add it, with drive and brake: J_d and M_lim of the motion follow from them; or give [slewing] a scene of its own";
         found.push(Diagnostic::new(own.span.clone(), what, "a coupling is needed").help(help));
+    }
+    if own.has(s::L_R.id) && v.table("slewing_drive").is_some_and(|drive| drive.has(s::L_R.id)) {
+        let what = "`l_R` in [slewing] and in [supports.slewing_drive]";
+        found.push(own.refuse(
+            s::L_R.id,
+            what,
+            "given twice",
+            "remove one of them: the load hangs on one rope",
+        ));
     }
     Some(Moves)
 }
@@ -150,6 +166,7 @@ pub fn moved<T: Described>(
         slope: v.of(&upper::GAMMA).map(|steep| [steep, weight, arm]),
         side: of(&s::J_D)?,
         limit,
+        rope: (v.table("slewing_drive")).and_then(|drive| drive.of(&s::L_R)),
     };
     let tables = ["motion", DYNAMICS].map(|name| (name, v.table(name)));
     let tables = tables.into_iter().filter_map(|(name, table)| Some((name, table?)));

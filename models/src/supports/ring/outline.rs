@@ -19,7 +19,7 @@ pub const OUTLINE: Outline = Outline {
         upper_slope "slope", upper_areas "areas",
         upper_cases "load_cases", ring_contact "contact", ring_capacity "capacity", ring_curve "capacity.curve",
         ring_friction "friction", ring_maker "maker_friction", ring_bolts "bolts", ring_life "life", turning_drive "slewing_drive", turning_stages "slewing_drive.stages", case_start "slewing_drive.start", case_curve "slewing_drive.start.curve", turning_brake "slewing_drive.brake", turning_coupling "slewing_drive.coupling", turning_pinion "slewing_drive.pinion",
-        slewing, motion, limits
+        slewing, air "slewing.air", motion, limits
     ),
     constants: &CONSTANTS,
     sections: &SECTIONS,
@@ -39,6 +39,7 @@ pub const OUTLINE: Outline = Outline {
         engine::USE,
         moving::USES[0],
         moving::USES[1],
+        moving::USES[2],
         ("ring_curve", listed!(s: F_CURVE, M_CURVE)),
     ],
     forces: listed!(s: V, H, M, P_MAX, P_MIN),
