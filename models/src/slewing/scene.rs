@@ -21,7 +21,7 @@ use crate::kernel::schema::{Key, Values};
 use crate::kernel::sign::Sign;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Fault;
-use crate::parts::air::{self, AIR, AirAround, WindAtLoad, around};
+use crate::parts::air::{self, AIR, AirAround, SWINGING, WindAtLoad, around};
 use crate::parts::control::continuous::{Regime, Regulating};
 use crate::parts::control::{Latched, SpeedControl, taken};
 use crate::parts::hanging::{self, HangingLoad};
@@ -99,9 +99,6 @@ const MOVING: [&str; 9] = [
     "control",
     COUPLING.name,
 ];
-
-/// Keys of a load that swings.
-pub const SWINGING: [&str; 4] = ["l_R", "phi_R", "chi_R", AIR.name];
 
 /// What the rates cost, in s, without a load that swings and with it.
 const COST: [[f64; 2]; 2] = [[0.1e-6, 0.0], [0.4e-6, 0.0]];
@@ -207,8 +204,8 @@ fn open(v: &Values) -> Open {
     Open(both.filter(|symbol| v.is_input(symbol.id)).collect())
 }
 
-/// Whether the coupling slips, at the start of the working range.
-fn settle(given: &mut Given<f64>) {
+/// With a coupling that slips where its drive asks for that, at the start of the working range.
+fn settled(mut given: Given<f64>) -> Given<f64> {
     if let Some(coupling) = given.coupling
         && let Ok(&moment) = SlewingCrane::new(given.clone()).passing()
         && moment.abs() > coupling.m_lim
@@ -218,6 +215,7 @@ fn settle(given: &mut Given<f64>) {
             way_d: 1.0,
         });
     }
+    given
 }
 
 impl Described for SlewingScene {
@@ -284,7 +282,7 @@ impl Described for SlewingScene {
             return None;
         }
         let (latched, (regulating, regime)) = steady(control, range.speed);
-        let mut given = Given {
+        let given = settled(Given {
             psi: One(&s::PSI_SL, range.from),
             omega: One(&s::OMEGA_SL, range.speed),
             hung: Hung {
@@ -314,8 +312,7 @@ impl Described for SlewingScene {
             past: Past { way: 1.0, blown: 0.0 },
             stops: Stops(joint.stops),
             open: open(v),
-        };
-        settle(&mut given);
+        });
         let step = v.of(&s::STEP).unwrap_or_else(|| slewed.longest());
         Some((
             SlewingScene {
