@@ -100,14 +100,15 @@ def tabled(text, caption):
 @pytest.mark.parametrize("scene", SCENES)
 def test_every_symbol_of_a_formula_has_its_origin(scene, level):
     """It is given, stands on the left of a formula, is the coordinate of the position, one of the states and commands at the
-    instant, a constant of the equations or a result of the run, which are tabled, or a point of the curves that a table lists."""
+    instant, a constant of the equations or a result of the run, which are tabled, taken from what moves it, or a point of the curves that a table lists."""
     text = source(scene, level)
     notation = set(re.findall(r"(?m)^  \[\$(.*?)\$\], \[", chapter(text, "Notation")))
     known = {name for _, symbols in given(text) for pair in symbols for name in pair}
     known |= {result for result, _ in formulas(text)}
     known |= set(re.findall(r"(?m)^= \d+ [^\n]*?: \$(.*?) = ", text))
     for caption in ["States and commands at the instant", "Constants of the equations", "Energy", "Envelope of forces",
-                    "What the formulas take from places and bodies"]:
+                    "What the formulas take from places and bodies",
+                    "What the formulas take from support, drive and commands"]:
         known |= tabled(text, caption)
     # Points of the ring's curves, loads by strength, forces in pins and heels of levers stand in tables of their own; others are read off a
     # load chart.

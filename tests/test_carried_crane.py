@@ -15,6 +15,7 @@ from conftest import ROOT, lemnis, words
 from test_floating_crane import G, links
 
 ENDS = {"FMI 2": ".fmi2.fmu", "FMI 3": ".fmu"}
+COLUMN = ROOT / "models/scenes/slewing_engine.toml"
 RING, PORTAL = (ROOT / f"models/scenes/portal_004_{name}.toml" for name in ("ring", "corners"))
 KINDS = [(standard, kind) for standard in ENDS for kind in ("CoSimulation", "ModelExchange")]
 OFFSET, FOOT = 1.5, 8.0
@@ -236,28 +237,43 @@ def test_what_is_greatest_within_both_ranges(tmp_path, fmus):
     assert inside >= 2
 
 
-def engine(torque):
-    """The ring with an engine of one torque (N·m) at all its speeds."""
-    text = RING.read_text("utf-8")
+def on_a_column(text):
+    """The same crane on a column in three bearings."""
+    ring, own, other = text[text.index('kind  = "ring"'): text.index("Q     =")], text.index("[supports.contact]"), COLUMN.read_text("utf-8")
+    bearings = other[other.index("[supports.bearings]"): other.index("[supports.slewing_drive]")]
+    return text[:own].replace(ring, 'kind = "column"\nh_uf = "6.5 m"\n') + bearings + text[text.index("[supports.slewing_drive]"):]
+
+
+def without_limits(text):
+    return text.replace(text[text.index("[supports.limits]"): text.index("[luffing]\n")], "")
+
+
+def engine(text, torque):
+    """With an engine of one torque (N·m) at all its speeds."""
     start, end = (text.index(f"[supports.slewing_drive.{name}]") for name in ("start", "brake"))
     points = "".join(f'[[supports.slewing_drive.start.curve]]\nn_en = "{n} 1/min"\nT_en = "{torque!r} N.m"\n' for n in (250, 1100))
     kind = '[supports.slewing_drive.start]\nkind = "engine"\nn_idle = "300 1/min"\nn_gov = "1000 1/min"\n'
     # Where it begins to luff says nothing of where it is weak; what it may take is not judged here.
-    limits = text[text.index("[supports.limits]"): text.index("[luffing]\n")]
-    return text[:start].replace(*START) + kind + points + text[end:].replace(limits, "")
+    return without_limits(text[:start].replace(*START) + kind + points + text[end:])
 
 
-def test_an_engine_is_strong_enough_at_every_reach(tmp_path, fmus):
+@pytest.mark.parametrize("support", ["ring", "column"])
+def test_an_engine_is_strong_enough_at_every_reach(tmp_path, support):
     """What resists most by a scan of the FMU over both angles: an engine that gives a little less is refused and told where, one that
     gives a little more starts there, in the longest time of all."""
     both = ((math.radians(44.0), math.radians(82.0)), (0.0, 2 * np.pi))
-    most, theta, psi = most_of_both(scanned(fmus["Ring", "FMI 3"], "T_0"), both)
+    text, plain = RING.read_text("utf-8"), tmp_path / "plain.toml"
+    if support == "column":
+        text = on_a_column(text)
+    plain.write_text(without_limits(text), encoding="utf-8")
+    lemnis("fmu", plain, "--output", tmp_path)
+    most, theta, psi = most_of_both(scanned(str(tmp_path / "Portal004Ring.fmu"), "T_0"), both)
     weak, strong = tmp_path / "weak.toml", tmp_path / "strong.toml"
-    weak.write_text(engine(float(most) * (1 - 1e-4)), encoding="utf-8")
+    weak.write_text(engine(text, float(most) * (1 - 1e-4)), encoding="utf-8")
     said = lemnis("check", weak, expect=1)
     found = re.search(r"T_0 = ([\d.]+) N\.m resist at psi = ([\d.]+) deg at theta_1 = ([\d.]+) deg", said)
     assert [float(number) for number in found.groups()] == pytest.approx([most, math.degrees(psi), math.degrees(theta)], rel=1e-4, abs=0.2)
-    strong.write_text(engine(float(most) * (1 + 1e-3)), encoding="utf-8")
+    strong.write_text(engine(text, float(most) * (1 + 1e-3)), encoding="utf-8")
     told = json.loads(lemnis("check", strong, "--json"))["summary"]["t_eng_max"]
     lemnis("fmu", strong, "--output", tmp_path)
     wanted, theta, psi = most_of_both(scanned(str(tmp_path / "Portal004Ring.fmu"), "t_eng"), both)

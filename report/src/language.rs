@@ -177,6 +177,14 @@ pub(crate) fn symbols(mechanism: &str) -> &'static str {
     known(mechanism).words
 }
 
+/// The group of words for a symbol in what is told of a mechanism: that of another one, where what moves beside it is told.
+pub(crate) fn symbols_of(mechanism: &str, symbol: &Symbol) -> &'static str {
+    let own = known(mechanism);
+    let all = std::iter::once(own).chain(vocabularies().map(|(_, of)| of));
+    let mut all = all.filter(|of| of.has(symbol));
+    all.next().unwrap_or(own).words
+}
+
 /// The words of a language, in groups; Typst markup.
 #[derive(Clone, Debug)]
 pub(crate) struct Words(Arc<Known>);
@@ -280,8 +288,7 @@ impl Words {
 
     /// What a symbol is, in the words of the first mechanism that has it.
     pub(crate) fn meaning(&self, symbol: &Symbol) -> Option<&str> {
-        let has = |tables: &[&[&'static Symbol]]| tables.iter().any(|table| table.contains(&symbol));
-        let mut of = vocabularies().filter(|(_, known)| has(known.own) || has(known.shared));
+        let mut of = vocabularies().filter(|(_, known)| known.has(symbol));
         of.find_map(|(_, known)| self.get(known.words, symbol.id).ok())
     }
 

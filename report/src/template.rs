@@ -36,6 +36,7 @@ const TEMPLATES: &[(&str, &str)] = embedded![
     "title.typ",
     "section.typ",
     "source.typ",
+    "values.typ",
     "own.typ",
     "results.typ",
     "task.typ",

@@ -8,7 +8,7 @@ use lemnis_models::supports::upper::symbols as s;
 
 use crate::bodies::{list, row};
 use crate::cases::start;
-use crate::luffing::{LEAST_LENGTH, load};
+use crate::luffing::{LEAST_LENGTH, air, load};
 use crate::scene::Node;
 
 /// So much weight at so great a size, the bodies and the load as many times that size from the axis as `far` says.
@@ -60,8 +60,8 @@ pub fn slewing(n: &mut Node, [size, weight, far]: [f64; 3]) {
     });
 }
 
-/// What slews may move behind a coupling, as fast as its head stays on its crane; without friction, of which a coupling of any
-/// drive carries enough, and on level ground.
+/// What slews may move behind a coupling, as fast as its head stays on its crane; with next to no friction, of which a
+/// coupling of any drive carries more, and on level ground.
 pub fn moving(n: &mut Node) {
     let coupled = n.child("slewing_drive").is_some_and(|drive| drive.has("coupling"));
     let moves = coupled && n.has("R") && n.draw.coin(0.8);
@@ -69,11 +69,40 @@ pub fn moving(n: &mut Node) {
     n.keep("slewing", moves);
     if moves {
         n.remove(&["slope"]);
+        for table in ["friction", "maker_friction"] {
+            let Some(mut friction) = n.child(table) else { continue };
+            for name in ["mu_n", "mu_m", "mu_u", "mu_f", "mu_p"] {
+                let little = friction.draw.between(0.0, 1e-7);
+                if friction.has(name) {
+                    friction.set(name, little);
+                }
+            }
+        }
     }
     let start = n.draw.between(-PI, PI);
+    let swings = moves && n.draw.coin(0.5);
+    let rope = n.draw.natural(&d::L_R) * n.draw.between(0.2, 2.0);
+    let held = swings && swung(n, rope);
     let Some(mut own) = n.child("slewing") else { return };
-    own.put("fidelity", "rigid");
-    own.remove(&["c_sl", "M_Fsl", "M_sl", "omega_sl"]);
+    own.put("fidelity", if swings { "swing" } else { "rigid" });
+    let blows = swings && own.has("air");
+    own.keep("l_R", swings && !held);
+    own.keep("air", blows);
+    if swings && !held {
+        own.set("l_R", rope);
+    }
+    if blows {
+        air(&mut own, rope, true);
+    }
+    for name in ["phi_R", "chi_R"] {
+        let angle = own.draw.between(-1.5, 1.5);
+        let leans = swings && own.has(name);
+        own.keep(name, leans);
+        if leans {
+            own.set(name, angle);
+        }
+    }
+    own.remove(&["c_sl", "M_sl", "omega_sl"]);
     for (name, angle) in [("psi_sl", start), ("psi_min", start - 0.5), ("psi_max", start + 1.0)] {
         own.keep(name, true);
         own.set(name, angle);
@@ -84,6 +113,20 @@ pub fn moving(n: &mut Node) {
     if motion.get("speed") > most {
         motion.set("speed", most);
     }
+}
+
+/// Upper works of an inertia beside that of a load that swings on a rope (m); whether the drive gives the rope.
+fn swung(n: &mut Node, rope: f64) -> bool {
+    let load = n.get("Q") / n.draw.g * n.get("R") * n.get("R");
+    let own = load * n.draw.between(0.01, 1.0);
+    let mut drive = n.child("slewing_drive").expect("it moves");
+    drive.keep("J_e", true);
+    drive.set("J_e", own);
+    let held = drive.has("l_R");
+    if held {
+        drive.set("l_R", rope);
+    }
+    held
 }
 
 /// What makes a drive legal, of a crane of a size (m) and a weight (N); whether there is one, and its brake.
@@ -112,9 +155,8 @@ fn turning(n: &mut Node, [size, weight]: [f64; 2]) -> [bool; 2] {
         let own = torque * brake.draw.between(0.1, 2.0);
         brake.set("T_b", own);
     });
-    if braked.is_none() {
-        drive.remove(&["coupling"]);
-    }
+    let couples = braked.is_some() && (drive.has("coupling") || drive.draw.coin(0.5));
+    drive.keep("coupling", couples);
     if let Some(mut pinion) = drive.child("pinion") {
         let own = size * pinion.draw.between(0.005, 0.05);
         let ring = size * pinion.draw.between(0.1, 0.5);

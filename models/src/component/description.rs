@@ -37,6 +37,16 @@ pub struct Vocabulary {
     pub shared: &'static [&'static [&'static Symbol]],
 }
 
+impl Vocabulary {
+    /// Whether these words say what a symbol is: one of its own, or a shared one whose id none of its own has.
+    #[must_use]
+    pub fn has(&self, symbol: &Symbol) -> bool {
+        let has = |tables: &[&[&'static Symbol]]| tables.iter().any(|table| table.contains(&symbol));
+        let mut own = self.own.iter().copied().flatten();
+        has(self.own) || has(self.shared) && own.all(|own| own.id != symbol.id)
+    }
+}
+
 /// What a scene says of a component besides its working range, and what its book tells besides its [`Outline`].
 pub trait Described: Clone + fmt::Debug + Send + Sync + Sized + 'static {
     type Component: Component;
@@ -197,25 +207,6 @@ impl<T> Deref for Description<T> {
 impl<T> DerefMut for Description<T> {
     fn deref_mut(&mut self) -> &mut T {
         &mut self.own
-    }
-}
-
-/// A mechanism in motion as another one has it.
-pub trait MovedBeside: fmt::Debug + Send + Sync {
-    /// What runs, without what the scene tells over time.
-    fn run(&self) -> Option<Result<MovingComponent, Fault>>;
-
-    /// How that is solved.
-    fn solved(&self) -> Option<Solver>;
-}
-
-impl<T: Described> MovedBeside for Description<T> {
-    fn run(&self) -> Option<Result<MovingComponent, Fault>> {
-        T::moving(self)
-    }
-
-    fn solved(&self) -> Option<Solver> {
-        self.own.solver()
     }
 }
 

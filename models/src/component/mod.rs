@@ -3,6 +3,7 @@
 
 pub mod account;
 pub mod aside;
+pub mod beside;
 pub mod checked;
 mod cycle;
 pub mod dependencies;

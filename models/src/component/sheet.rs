@@ -363,6 +363,8 @@ pub struct Worked {
     pub aside: Option<(&'static Symbol, f64)>,
     /// Which of several bodies the formulas speak of, numbered from 1.
     pub of: Option<usize>,
+    /// What the formulas take from elsewhere, with the values.
+    pub taken: Vec<(&'static Symbol, f64)>,
     pub sections: Vec<Section>,
 }
 

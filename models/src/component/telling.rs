@@ -264,7 +264,7 @@ pub fn constants<T: Described>(model: &Standing, of: Option<usize>) -> Vec<Secti
 }
 
 /// The formulas at a position, at whose second coordinate the model stands.
-fn worked<T: Described>(model: &Standing, place: Position, of: Option<usize>) -> Worked {
+pub(super) fn worked<T: Described>(model: &Standing, place: Position, of: Option<usize>) -> Worked {
     let Outline {
         constants, sections, ..
     } = T::OUTLINE;
@@ -274,6 +274,7 @@ fn worked<T: Described>(model: &Standing, place: Position, of: Option<usize>) ->
         value: place.at,
         aside: place.aside,
         of,
+        taken: Vec::new(),
         sections: run::<T>(model, (place.at, of), constants, sections),
     }
 }

@@ -53,6 +53,9 @@ static AIR_KEYS: &[Key] = keys! { s:
     RHO_AIR > 0 [usually(1.225)], V_AIR [over_time, optional], CHI_AIR [over_time, optional]
 };
 
+/// Keys of slewing that say something of a load that swings.
+pub const SWINGING: [&str; 4] = ["l_R", "phi_R", "chi_R", AIR.name];
+
 /// Most that the air may take of the load's speed in the strongest wind, over the frequency of its swinging: beyond that
 /// the load does not swing any more.
 const THICKEST: f64 = 4.0;

@@ -43,16 +43,19 @@ pub struct SlewingJoint {
     pub stops: [f64; 2],
 }
 
-/// What carries all that slews gives to its motion: inertia (kg·m²); reach (m) and load (N), each with whether it is an input; slope
-/// (rad) with the weight (N) of what slews and its lever (m); of the coupling inertia of the drive's side (kg·m²) and limit (N·m).
+/// What carries all that slews gives to its motion: inertia (kg·m²) and dry friction (N·m); reach (m) and load (N), each with whether
+/// it is an input; slope (rad) with the weight (N) of what slews and its lever (m); of the coupling inertia of the drive's side (kg·m²)
+/// and limit (N·m); length of the rope (m), where the drive gives one.
 #[derive(Clone, Copy, Debug)]
 pub struct Borne {
     pub inertia: f64,
+    pub friction: f64,
     pub reach: (f64, bool),
     pub load: (f64, bool),
     pub slope: Option<[f64; 3]>,
     pub side: f64,
     pub limit: f64,
+    pub rope: Option<f64>,
 }
 
 /// Refuses a table that says nothing of the inertia of what slews.

@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
-use crate::component::description::{Description, MovedBeside};
+use crate::component::beside::MovedBeside;
+use crate::component::description::Description;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::schema::Values;
-use crate::parts::turntable::Borne;
+use crate::parts::turntable::{Borne, M_F_SL};
 use crate::slewing::scene::{KEYS, SlewingScene};
 use crate::slewing::symbols as s;
 
@@ -19,6 +20,7 @@ pub fn beside(
 ) -> Option<Arc<dyn MovedBeside>> {
     let mut given = vec![
         (&s::J_SL, borne.inertia, false),
+        (&M_F_SL, borne.friction, false),
         (&s::R, borne.reach.0, borne.reach.1),
         (&s::Q, borne.load.0, borne.load.1),
         (&s::J_D, borne.side, false),
@@ -31,6 +33,8 @@ pub fn beside(
             (&s::R_U, arm, false),
         ]);
     }
+    let swings = own.text("fidelity") == Some("swing");
+    given.extend(borne.rope.filter(|_| swings).map(|length| (&s::L_R, length, false)));
     let all = own.completed(KEYS, tables, &given);
     Some(Arc::new(Description::<SlewingScene>::read(&all, gravity, found)?))
 }

@@ -32,6 +32,13 @@ const LONGEST: [f64; 5] = [0.25, 0.1, 0.1, 0.1, 0.1];
 /// reach, of its time.
 const LONGEST_IDLE: [f64; 2] = [0.002, 0.01];
 
+/// Refuses what has no inertia.
+pub fn weightless(v: &Values) -> Diagnostic {
+    let what = "nothing that slews has an inertia";
+    let help = "make J_sl greater than zero, or let a load hang at a reach that does not swing";
+    v.refuse(joint::J_SL.id, what, "nothing to turn", help)
+}
+
 /// A scene in motion, as far as it decides how quick that is.
 pub struct Slewed<'a> {
     pub table: &'a Values,

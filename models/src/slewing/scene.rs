@@ -8,6 +8,7 @@ use crate::component::moving::sampled::with_samples;
 use crate::component::moving::smooth::SmoothPieces;
 use crate::component::outline::{Limit, Outline};
 use crate::component::sheet::{Check, Drawing, Input};
+use crate::component::stages::Stages;
 use crate::component::standing::Standing;
 use crate::component::telling::{fine, sample};
 use crate::kernel::calc::Calc;
@@ -20,7 +21,7 @@ use crate::kernel::schema::{Key, Values};
 use crate::kernel::sign::Sign;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Fault;
-use crate::parts::air::{self, AIR, AirAround, WindAtLoad, around};
+use crate::parts::air::{self, AIR, AirAround, SWINGING, WindAtLoad, around};
 use crate::parts::control::continuous::{Regime, Regulating};
 use crate::parts::control::{Latched, SpeedControl, taken};
 use crate::parts::hanging::{self, HangingLoad};
@@ -30,7 +31,7 @@ use crate::parts::shaping;
 use crate::parts::slip;
 use crate::parts::turntable::{self as joint, SlewingJoint};
 use crate::parts::turntable_control::{self, AXIS, CONTINUOUS, CONTROL};
-use crate::slewing::bounds::Slewed;
+use crate::slewing::bounds::{Slewed, weightless};
 use crate::slewing::coupling::{DriveSide, SlipCoupling, SlipPast};
 use crate::slewing::motion::{Past, SlewingDrive, Stops};
 use crate::slewing::outline::OUTLINE;
@@ -86,7 +87,7 @@ static DYNAMICS: &[Key] = keys! { s: STEP > 0 };
 /// How the motion is solved.
 pub const SOLVED: Key = Key::part("dynamics", DYNAMICS, "How slewing by itself is solved.");
 
-/// Keys that say something of a motion alone, and of a load that swings.
+/// Keys that say something of a motion alone.
 const MOVING: [&str; 9] = [
     "M_sl",
     "M_Bsl",
@@ -98,7 +99,6 @@ const MOVING: [&str; 9] = [
     "control",
     COUPLING.name,
 ];
-const SWINGING: [&str; 3] = ["l_R", "phi_R", "chi_R"];
 
 /// What the rates cost, in s, without a load that swings and with it.
 const COST: [[f64; 2]; 2] = [[0.1e-6, 0.0], [0.4e-6, 0.0]];
@@ -145,7 +145,7 @@ fn suits(v: &Values, found: &mut Vec<Diagnostic>) -> [bool; 2] {
             "set fidelity = \"rigid\" or \"swing\", or remove it",
         ));
     }
-    if let (false, Some(key)) = (swings, SWINGING.iter().chain([&AIR.name]).find(|key| v.has(key))) {
+    if let (false, Some(key)) = (swings, SWINGING.iter().find(|key| v.has(key))) {
         let what = format!("`{key}` without a swinging load");
         let help = "remove it: the load keeps its place under the head; or set fidelity = \"swing\"";
         found.push(v.refuse(key, what, "not used", help));
@@ -167,13 +167,6 @@ fn in_air(
     let around = around(table, [(gravity / rope).sqrt(), gravity], true, found)?;
     let [v_air, chi_air] = [&s::V_AIR, &s::CHI_AIR].map(|symbol| table.number(symbol.id).unwrap_or(0.0));
     Some((around, WindAtLoad { v_air, chi_air }))
-}
-
-/// Refuses what has no inertia.
-fn weightless(v: &Values) -> Diagnostic {
-    let what = "nothing that slews has an inertia";
-    let help = "make J_sl greater than zero, or let a load hang at a reach that does not swing";
-    v.refuse(joint::J_SL.id, what, "nothing to turn", help)
 }
 
 /// The controller with its command, of an inertia (kg·m²), and the coupling, where there are any; mistakes go to `found`.
@@ -209,6 +202,20 @@ fn steady(control: Option<SpeedControl>, omega: f64) -> (Option<Latched>, (Optio
 fn open(v: &Values) -> Open {
     let both = [&s::R, &s::Q].into_iter();
     Open(both.filter(|symbol| v.is_input(symbol.id)).collect())
+}
+
+/// With a coupling that slips where its drive asks for that, at the start of the working range.
+fn settled(mut given: Given<f64>) -> Given<f64> {
+    if let Some(coupling) = given.coupling
+        && let Ok(&moment) = SlewingCrane::new(given.clone()).passing()
+        && moment.abs() > coupling.m_lim
+    {
+        given.slipping = Some(SlipPast {
+            slip: moment.signum(),
+            way_d: 1.0,
+        });
+    }
+    given
 }
 
 impl Described for SlewingScene {
@@ -275,7 +282,7 @@ impl Described for SlewingScene {
             return None;
         }
         let (latched, (regulating, regime)) = steady(control, range.speed);
-        let given = Given {
+        let given = settled(Given {
             psi: One(&s::PSI_SL, range.from),
             omega: One(&s::OMEGA_SL, range.speed),
             hung: Hung {
@@ -305,7 +312,7 @@ impl Described for SlewingScene {
             past: Past { way: 1.0, blown: 0.0 },
             stops: Stops(joint.stops),
             open: open(v),
-        };
+        });
         let step = v.of(&s::STEP).unwrap_or_else(|| slewed.longest());
         Some((
             SlewingScene {
@@ -343,11 +350,10 @@ impl Described for SlewingScene {
     fn unused(&self, level: &str) -> Vec<(&'static str, &'static [&'static str])> {
         match level {
             "swing" => Vec::new(),
-            "rigid" => vec![("slewing", &SWINGING), (AIR.name, &[])],
+            "rigid" => vec![("slewing", &SWINGING)],
             _ => vec![
                 ("dynamics", &[]),
                 ("slewing", &SWINGING),
-                (AIR.name, &[]),
                 (CONTROL.name, &[]),
                 (COUPLING.name, &[]),
             ],
@@ -359,7 +365,7 @@ impl Described for SlewingScene {
         let mut resting = this.clone();
         resting.own.given.past.way = 0.0;
         if let Some(past) = &mut resting.own.given.slipping {
-            past.way_d = 0.0;
+            *past = SlipPast { slip: 0.0, way_d: 0.0 };
         }
         if let Some(latched) = &mut resting.own.given.latched {
             latched.set = this.start[1];

@@ -90,6 +90,16 @@ pub(super) fn summary(numbers: &Numbers, summary: &sheet::Summary) -> Summary {
     }
 }
 
+/// A row of a table of values.
+#[derive(Serialize)]
+pub(super) struct Value {
+    #[serde(flatten)]
+    pub quantity: Quantity,
+    /// The group of words that say what it is.
+    pub words: &'static str,
+    pub value: String,
+}
+
 #[derive(Serialize)]
 pub(super) struct Table {
     columns: Vec<Quantity>,

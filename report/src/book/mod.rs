@@ -253,7 +253,7 @@ impl<'a> Book<'a> {
     fn new(scene: &'a Scene, sheet: &'a Sheet, edition: &Edition<'a>, format: Format) -> Result<Book<'a>, Error> {
         let numbers = &precision::numbers(edition.language, scene.book.digits, sheet);
         let chapters = chapters(scene, sheet, edition.level);
-        let mut notation = Notation::new(sheet, &chapters);
+        let mut notation = Notation::new(scene.mechanism.id(), sheet, &chapters);
         let full = edition.level == "full";
         let (mut inputs, mut constants, mut positions) = (Vec::new(), Vec::new(), Vec::new());
         let (mut sizing, mut motion, mut cases, mut study) = (Vec::new(), None, None, None);

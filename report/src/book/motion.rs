@@ -5,7 +5,7 @@ use lemnis_models::kernel::record::{Node, Op};
 use lemnis_models::kernel::symbol::Symbol;
 use serde::Serialize;
 
-use crate::book::blocks::{Figure, Quantity};
+use crate::book::blocks::{Figure, Quantity, Value};
 use crate::book::notation::Notation;
 use crate::book::steps::{Section, sections};
 use crate::print::number::Numbers;
@@ -32,13 +32,6 @@ pub(super) struct Motion {
     /// Whether derivatives by the coordinate come from dual numbers.
     duals: bool,
     energy: Account,
-}
-
-#[derive(Serialize)]
-struct Value {
-    #[serde(flatten)]
-    quantity: Quantity,
-    value: String,
 }
 
 #[derive(Serialize)]
@@ -118,14 +111,9 @@ impl Motion {
         requirements: &[sheet::Check],
         notation: &mut Notation,
     ) -> Motion {
-        let value = |&(symbol, value): &(&'static Symbol, f64)| Value {
-            quantity: symbol.into(),
-            value: numbers.in_formula(symbol, value),
-        };
         let time = |at: f64| numbers.result(motion.time, at);
-        for (symbol, _) in motion.state.iter().chain(&motion.constants) {
-            notation.meet(symbol);
-        }
+        let state = notation.values(numbers, &motion.state);
+        let constants = notation.values(numbers, &motion.constants);
         let sections = sections(numbers, &motion.sections, None, requirements, notation);
         let energies = motion.manoeuvres.iter().map(|manoeuvre| &manoeuvre.energy);
         let energy = Account::new(numbers, energies.collect(), &motion.integrals);
@@ -170,8 +158,8 @@ impl Motion {
             during: motion.instant.1,
             at: numbers.named(motion.time, motion.instant.2),
             of: motion.of,
-            state: motion.state.iter().map(value).collect(),
-            constants: motion.constants.iter().map(value).collect(),
+            state,
+            constants,
             sections,
             rules: motion.rules.clone(),
             ramp: motion.ramp.map(|(symbol, time)| numbers.named(symbol, time)),

@@ -6,19 +6,24 @@ use lemnis_models::component::sheet::{self, Sheet};
 use lemnis_models::kernel::symbol::Symbol;
 use serde::Serialize;
 
-use crate::book::blocks::Quantity;
+use crate::book::blocks::{Quantity, Value};
+use crate::language::symbols_of;
+use crate::print::number::Numbers;
 
 /// A line of the index of symbols.
 #[derive(Serialize)]
 pub(super) struct Entry {
     #[serde(flatten)]
     quantity: Quantity,
+    words: &'static str,
     /// Whether a place of the book defines it.
     defined: bool,
 }
 
 /// The symbols that the book uses.
 pub(super) struct Notation {
+    /// Of which mechanism the book is.
+    mechanism: &'static str,
     met: Vec<&'static Symbol>,
     /// Typeset forms of the symbols that some place of the book defines, and
     /// that others can link to.
@@ -30,7 +35,7 @@ pub(super) struct Notation {
 }
 
 impl Notation {
-    pub(super) fn new(sheet: &Sheet, chapters: &[&str]) -> Notation {
+    pub(super) fn new(mechanism: &'static str, sheet: &Sheet, chapters: &[&str]) -> Notation {
         let steps = sections(sheet, chapters).flat_map(|section| &section.trace.steps);
         let found: BTreeSet<&'static str> = steps.map(|step| step.symbol.print).collect();
         let mut defined = found.clone();
@@ -38,11 +43,30 @@ impl Notation {
             defined.extend(sheet.inputs.iter().map(|input| input.symbol.print));
         }
         Notation {
+            mechanism,
             met: Vec::new(),
             defined,
             found,
             placed: BTreeSet::new(),
         }
+    }
+
+    /// The group of words that say what a symbol is.
+    pub(super) fn words(&self, symbol: &'static Symbol) -> &'static str {
+        symbols_of(self.mechanism, symbol)
+    }
+
+    /// Values that stand in a table.
+    pub(super) fn values(&mut self, numbers: &Numbers, values: &[(&'static Symbol, f64)]) -> Vec<Value> {
+        let value = |&(symbol, value): &(&'static Symbol, f64)| {
+            self.meet(symbol);
+            Value {
+                quantity: symbol.into(),
+                words: self.words(symbol),
+                value: numbers.in_formula(symbol, value),
+            }
+        };
+        values.iter().map(value).collect()
     }
 
     /// Whether here is the place that defines the symbol: a table before it only shows it.
@@ -111,6 +135,7 @@ impl Notation {
                 true => Quantity::found(symbol),
                 false => (*symbol).into(),
             },
+            words: self.words(symbol),
             defined: self.defined.contains(symbol.print),
         };
         met.iter().map(entry).collect()

@@ -5,7 +5,7 @@ use lemnis_models::kernel::record::Trace;
 use lemnis_models::kernel::symbol::Symbol;
 use serde::Serialize;
 
-use crate::book::blocks::{self, Drawn, Figure, Quantity, Table};
+use crate::book::blocks::{self, Drawn, Figure, Quantity, Table, Value};
 use crate::book::notation::Notation;
 use crate::book::verdict::verdict;
 use crate::print::drawing::{self, HALF};
@@ -25,6 +25,7 @@ pub(super) struct Section {
 struct Step {
     #[serde(flatten)]
     quantity: Quantity,
+    words: &'static str,
     /// Whether the book meets the symbol for the first time.
     first: bool,
     formula: Option<String>,
@@ -56,6 +57,7 @@ pub(super) struct Position {
     aside: Option<String>,
     /// Number of the body that the formulas speak of.
     of: Option<usize>,
+    taken: Vec<Value>,
     sections: Vec<Section>,
 }
 
@@ -75,6 +77,7 @@ impl Position {
                 .aside
                 .map(|(symbol, at)| format!("{} = {}", symbol.print, numbers.in_formula(symbol, at))),
             of: position.of,
+            taken: notation.values(numbers, &position.taken),
             sections: sections(numbers, &position.sections, outputs, requirements, notation),
         }
     }
@@ -133,6 +136,7 @@ fn steps(
         } = formula::step(numbers, &notation.defined, trace, step, in_full, checks.len());
         Step {
             quantity: Quantity::found(step.symbol),
+            words: notation.words(step.symbol),
             first: notation.place(step.symbol),
             formula,
             numbers,

@@ -19,7 +19,7 @@ pub const OUTLINE: Outline = Outline {
         upper_slope "slope", upper_areas "areas",
         upper_cases "load_cases", column_bearings "bearings", column_friction "friction",
         column_counterweight "counterweight", turning_drive "slewing_drive", turning_stages "slewing_drive.stages", case_start "slewing_drive.start", case_curve "slewing_drive.start.curve", turning_brake "slewing_drive.brake", turning_coupling "slewing_drive.coupling", turning_pinion "slewing_drive.pinion",
-        slewing, motion, limits
+        slewing, air "slewing.air", motion, limits
     ),
     constants: &CONSTANTS,
     sections: &SECTIONS,
@@ -37,7 +37,9 @@ pub const OUTLINE: Outline = Outline {
         ("upper_cases", listed!(u: K_Q, P_W, CHI_W)),
         ("upper_cases", listed!(d: N_S, ALPHA_Q, K_B)),
         engine::USE,
-        moving::USE,
+        moving::USES[0],
+        moving::USES[1],
+        moving::USES[2],
     ],
     forces: listed!(s: V, H, M, H_U, H_F),
     worst: &[("greatest_bearing_force", &s::H_U_TOP)],
@@ -70,7 +72,7 @@ const OWN_CURVES: [Line; 4] = [
     ("column_foot", None, &s::H_F),
 ];
 
-const EXTREMES: [Greatest; 30] = joined(OWN_EXTREMES, drive::EXTREMES);
+const EXTREMES: [Greatest; 31] = joined(OWN_EXTREMES, drive::EXTREMES);
 
 const OWN_EXTREMES: [Greatest; 9] = [
     Greatest::new(&s::V_TOP, Most::Greatest, &s::V),

@@ -33,7 +33,7 @@ use crate::supports::drive::able::able;
 use crate::supports::drive::checks::{StandingThere, about_the_axis, through_the_gear};
 use crate::supports::drive::moving::{self, SLEWING, moved};
 use crate::supports::drive::scene::{DRIVE, TurningScene};
-use crate::supports::drive::told::{shafts, starts};
+use crate::supports::drive::told::told;
 use crate::supports::plan::{LeftOpen, each};
 use crate::supports::upper;
 use crate::supports::upper::keys::{self, AREAS, LOAD_CASES, MOTION, SLOPE, UPPER};
@@ -221,8 +221,7 @@ impl Described for ColumnScene {
     }
 
     fn more(this: &Description<ColumnScene>, model: &mut Standing, sheet: &mut Sheet) {
-        shafts::<ColumnScene>(model, sheet);
-        starts(&this.turning, model, sheet);
+        told::<ColumnScene>(&this.turning, model, sheet);
         let governing = sheet.positions.first().map(|position| position.value);
         sheet
             .curves

@@ -1,7 +1,7 @@
 //! Quantities of a column besides those of what slews on it.
 
 use crate::kernel::symbol::symbols;
-pub use crate::supports::drive::symbols::{J_D, M_FS, M_LC, RHO_C};
+pub use crate::supports::drive::symbols::{J_D, M_FS, M_FS0, M_LC, RHO_C};
 pub use crate::supports::upper::symbols::{
     AGREEMENT, H, H_1, H_L, H_T, H_TOP, M, M_ALL, M_L, M_T, M_TOP, OMEGA, PSI, Q, R, THETA_1, V, V_TOP,
 };

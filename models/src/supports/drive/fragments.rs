@@ -43,6 +43,7 @@ pub(crate) use swung;
 macro_rules! turned {
     (() $($to:tt)*) => {
         $crate::component::fragments::composed! { @with {
+            dry: C = $crate::supports::drive::moving::dry(turns, moved[!], rubbing) => M_FS0;
             turned[each works]: Vec<$crate::supports::drive::resistance::TurningMoments<C>> =
                 $crate::supports::drive::resistance::TurningMoments::new(
                     psi, out, gravity[!], slope, upper, works_turned, cases[each], loads[each], works[each], swung[each],

@@ -19,7 +19,7 @@
 //! | `drive.motor` | [`motor::TurningMotor::new`], [`motor::TurningHeat::new`] | Ports001, 6.5.2 |
 //! | `drive.starts` | [`starts::started`], [`starts::HardestPush::new`] | Ports001, 6.5.2 |
 //! | `drive.brake` | [`brake::TurningHold::new`], [`brake::TurningStop::new`], [`brake::Coupled::new`] | Ports001, 6.5.4 |
-//! | `drive.moving` | [`moving::side`], [`moving::slips`] | Ports001, 6.5.4 |
+//! | `drive.moving` | [`moving::side`], [`moving::slips`], [`moving::dry`] | Ports001, 6.5.1 and 6.5.4 |
 //! | `drive.pinion` | [`pinion::meshed`], [`pinion::PinionForce::new`] | Ports001, 6.5.4; Hertz, Lewis |
 
 pub mod able;
@@ -43,17 +43,18 @@ pub mod told;
 use crate::kernel::gravity;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::luffing::aboard;
-use crate::parts::{self, hanging, slip, teeth, turntable};
+use crate::parts::{self, air, hanging, slip, teeth, turntable};
 use crate::supports::drive::symbols as s;
 
 /// Symbols that it shares with other drives.
-pub const SHARED: [&[&Symbol]; 9] = [
+pub const SHARED: [&[&Symbol]; 10] = [
     aboard::ALL,
     parts::motor::ALL,
     parts::starts::ALL,
     teeth::ALL,
     crate::drive::symbols::ALL,
     hanging::ALL,
+    air::ALL,
     gravity::ALL,
     turntable::ALL,
     slip::ALL,

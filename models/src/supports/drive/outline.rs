@@ -5,6 +5,7 @@ use crate::component::outline::{Greatest, Limit, Line, Most, SectionOutline};
 use crate::component::whole::{How, Whole};
 use crate::kernel::symbol::{Symbol, listed};
 use crate::parts::starts::way::{ENGINED, RAMPED, SLIPPED};
+use crate::supports::drive::moving::{RUBS, SLIPS};
 use crate::supports::drive::symbols as s;
 
 pub const CONSTANTS: [SectionOutline; 3] = [
@@ -15,7 +16,7 @@ pub const CONSTANTS: [SectionOutline; 3] = [
 
 pub const SECTIONS: [SectionOutline; 9] = [
     ("turning_steady", &[Stage("swung")]),
-    ("turning_moments", &[Stage("rubbing"), Stage("turned")]),
+    ("turning_moments", &[Stage("rubbing"), Stage("dry"), Stage("turned")]),
     ("turning_motor", &[Stage("motors")]),
     ("resistances_slip", &[Rows(SLIPPED)]),
     ("resistances_inverter", &[Rows(RAMPED)]),
@@ -34,7 +35,7 @@ pub const CURVES: [Line; 3] = [
     ("turning_stop", None, &s::T_STOP),
 ];
 
-pub const EXTREMES: [Greatest; 21] = [
+pub const EXTREMES: [Greatest; 22] = [
     Greatest::new(&s::M_ST_TOP, Most::Greatest, &s::M_ST),
     Greatest::new(&s::P_M_MAX, Most::Greatest, &s::P_M),
     Greatest::new(&s::U_M_MAX, Most::Greatest, &s::U_M),
@@ -51,7 +52,8 @@ pub const EXTREMES: [Greatest; 21] = [
     Greatest::new(&s::PSI_STOP_MAX, Most::Greatest, &s::PSI_STOP),
     Greatest::new(&s::A_STOP_MAX, Most::Greatest, &s::A_STOP),
     Greatest::new(&s::T_LIM_MAX, Most::Greatest, &s::T_LIM),
-    Greatest::new(&s::M_LIM, Most::Greatest, &s::M_LC),
+    SLIPS,
+    RUBS,
     Greatest::new(&s::T_GP_MAX, Most::Greatest, &s::T_GP),
     Greatest::new(&s::F_T_MAX, Most::Greatest, &s::F_T),
     Greatest::new(&s::SIGMA_FZ_MAX, Most::Greatest, &s::SIGMA_FZ),

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::component::description::MovedBeside;
+use crate::component::beside::MovedBeside;
 use crate::component::mechanism::Solver;
 use crate::component::moving::MovingComponent;
 use crate::kernel::diagnostic::Diagnostic;
@@ -11,12 +11,13 @@ use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Kind, Values};
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::Fault;
+use crate::parts::air::SWINGING;
 use crate::parts::motor::{CaseBrake, CaseHold};
 use crate::parts::starts::scene::{START, read};
 use crate::parts::starts::way::StartWay;
 use crate::parts::starts::{N_0, N_IDLE};
 use crate::supports::drive::given::{GearStage, GivenDrive, Moves, RingPinion, TurnedArea, TurningCase, TurningChoice};
-use crate::supports::drive::moving::{DYNAMICS, LEVEL, SLEWING, moves};
+use crate::supports::drive::moving::{DYNAMICS, SLEWING, moves};
 use crate::supports::drive::symbols as s;
 
 /// Beside the support.
@@ -25,6 +26,9 @@ pub const DRIVE: Key = Key::part(
     KEYS,
     "The slewing drive: motors, gears, brakes, pinions.",
 );
+
+/// The level at which nothing moves.
+const STANDING: &str = "static";
 
 /// Most stages of the gear.
 const MANY: usize = 8;
@@ -142,7 +146,7 @@ impl TurningScene {
         let moving = self
             .slewing
             .iter()
-            .flat_map(|_| ["turning_moving", "slewing_load", "slewing_coupling"]);
+            .flat_map(|slewing| std::iter::once("turning_moving").chain(slewing.assumptions()));
         self.drive
             .iter()
             .flat_map(move |_| ["turning_places", load])
@@ -164,22 +168,22 @@ impl TurningScene {
 impl TurningScene {
     /// Levels of a support with this drive.
     pub fn levels(&self) -> Vec<&'static str> {
-        std::iter::once("static")
-            .chain(self.slewing.iter().map(|_| LEVEL))
-            .collect()
+        self.slewing
+            .as_ref()
+            .map_or_else(|| vec![STANDING], |slewing| slewing.levels())
     }
 
     /// Leaves out what a level does not have.
     pub fn set_level(&mut self, level: &str) {
-        if level != LEVEL {
-            self.slewing = None;
-        }
+        let moved = self.slewing.take().filter(|_| level != STANDING);
+        self.slewing = moved.map(|slewing| slewing.at(level));
     }
 
     /// What a level has no use for.
     pub fn unused(&self, level: &str) -> Vec<(&'static str, &'static [&'static str])> {
         match level {
-            LEVEL => Vec::new(),
+            "swing" => Vec::new(),
+            "rigid" => vec![(SLEWING.name, &SWINGING)],
             _ => vec![(DYNAMICS, &[]), (SLEWING.name, &[])],
         }
     }

@@ -23,7 +23,7 @@ symbols! {
     ETA_R: "eta_r" "eta_r" ONE / ONE [above_to(0.0, 1.0)], "Efficiency of pinion and toothed ring with the bearings of the pinion's shaft.", "[Ports001, 6.5.4]";
     K_LIM: "k_lim" "k_\"lim\"" ONE / ONE [positive, unconfirmed], "Torque at which the coupling slips over the greatest that it transmits at work.", "[Ports001, 6.5.4]";
     R_G: "r_g" "r_g" M / M [positive], "Pitch radius of the toothed ring about the slewing axis.", "[Ports001, 6.5.4]";
-    B_Z: "b_z" "b_z" M / MM [positive], "Width of the teeth.", "input";
+    B_Z: "b_z" "b_\"z\"" M / MM [positive], "Width of the teeth.", "input";
 
     J_E: "J_e" "J_e" KG_M2 / T_M2 [not_negative], "Inertias of all bodies of the upper works about upright axes through their centres of gravity, together.", "[Ports001, 6.5.1]";
     R_W: "r_w" "r_(\"w\" i)" M / M, "Centre of a wind area, in front of the slewing axis; negative behind it.", "[Ports001, 6.5.1]";
@@ -44,6 +44,7 @@ symbols! {
     M_Z: "M_z" "M_(z i)" N_M / KN_M, "Moment of slope and wind about the slewing axis; positive counter-clockwise, seen from above.", "equilibrium";
     M_AQ: "M_aQ" "M_(alpha i)" N_M / KN_M, "Moment of the swaying load's rope about the slewing axis.", "[Ports001, 6.5.1]";
     M_FS: "M_fs" "M_(\"f\" i)" N_M / KN_M, "Friction moment of the slewing support that the drive overcomes: the greatest of the forms that the scene gives.", "[Ports001, 6.5.1]";
+    M_FS0: "M_fs0" "M_(\"f\" 0)" N_M / KN_M, "Friction moment of the slewing support in the load case of heating, which slewing in motion has.", "[Ports001, 6.5.1]";
     M_ST: "M_st" "M_(\"st\" i)" N_M / KN_M, "Moment against steady slewing, that way round in which slope and wind resist.", "[Ports001, 6.5.1]";
 
     // At a motor's shaft, in a case.

@@ -1,4 +1,4 @@
-//! What the book tells of a motor's start, and of the shafts between it and its pinion.
+//! What the book tells of a motor's start, of the shafts between it and its pinion, and of what it moves.
 
 use crate::component::description::Described;
 use crate::component::places::{all_told, stand};
@@ -12,8 +12,18 @@ use crate::supports::drive::outline::{SHAFT_COLUMNS, SHAFTS};
 use crate::supports::drive::scene::TurningScene;
 use crate::supports::drive::symbols as s;
 
+/// All of these.
+pub fn told<T: Described>(turning: &TurningScene, model: &mut Standing, sheet: &mut Sheet) {
+    shafts::<T>(model, sheet);
+    starts(turning, model, sheet);
+    if let Some(slewing) = &turning.slewing {
+        sheet.positions.push(slewing.told("turning_moving"));
+        sheet.outputs.extend(slewing.outputs());
+    }
+}
+
 /// The motor's curve in a start, where most resists steady slewing.
-pub fn starts(turning: &TurningScene, model: &mut Standing, sheet: &mut Sheet) {
+fn starts(turning: &TurningScene, model: &mut Standing, sheet: &mut Sheet) {
     let most = sheet.governing.iter().find(|found| found.symbol == &s::M_ST_TOP);
     let Some(((motor, (_, at)), aside)) = most.and_then(|found| Some(((turning.drive?.motor, found.at?), found.aside)))
     else {
@@ -28,7 +38,7 @@ pub fn starts(turning: &TurningScene, model: &mut Standing, sheet: &mut Sheet) {
 
 /// Formulas of the pinion's shaft at the first position of the book, and a table of all shafts; nothing where the gear has no
 /// stages.
-pub fn shafts<T: Described>(model: &mut Standing, sheet: &mut Sheet) {
+fn shafts<T: Described>(model: &mut Standing, sheet: &mut Sheet) {
     let Some(position) = sheet.positions.first_mut() else {
         return;
     };

@@ -19,7 +19,7 @@ pub const OUTLINE: Outline = Outline {
         upper_slope "slope", upper_areas "areas",
         upper_cases "load_cases", ring_contact "contact", ring_capacity "capacity", ring_curve "capacity.curve",
         ring_friction "friction", ring_maker "maker_friction", ring_bolts "bolts", ring_life "life", turning_drive "slewing_drive", turning_stages "slewing_drive.stages", case_start "slewing_drive.start", case_curve "slewing_drive.start.curve", turning_brake "slewing_drive.brake", turning_coupling "slewing_drive.coupling", turning_pinion "slewing_drive.pinion",
-        slewing, motion, limits
+        slewing, air "slewing.air", motion, limits
     ),
     constants: &CONSTANTS,
     sections: &SECTIONS,
@@ -37,7 +37,9 @@ pub const OUTLINE: Outline = Outline {
         ("upper_cases", listed!(u: K_Q, P_W, CHI_W)),
         ("upper_cases", listed!(d: N_S, ALPHA_Q, K_B)),
         engine::USE,
-        moving::USE,
+        moving::USES[0],
+        moving::USES[1],
+        moving::USES[2],
         ("ring_curve", listed!(s: F_CURVE, M_CURVE)),
     ],
     forces: listed!(s: V, H, M, P_MAX, P_MIN),
@@ -75,7 +77,7 @@ const OWN_CURVES: [Line; 5] = [
     ("ring_least", None, &s::P_MIN),
 ];
 
-const EXTREMES: [Greatest; 37] = joined(OWN_EXTREMES, drive::EXTREMES);
+const EXTREMES: [Greatest; 38] = joined(OWN_EXTREMES, drive::EXTREMES);
 
 const OWN_EXTREMES: [Greatest; 16] = [
     Greatest::new(&s::V_TOP, Most::Greatest, &s::V),

@@ -30,7 +30,7 @@ use crate::supports::drive::able::able;
 use crate::supports::drive::checks::{StandingThere, about_the_axis, through_the_gear};
 use crate::supports::drive::moving::{self, SLEWING, moved};
 use crate::supports::drive::scene::{DRIVE, TurningScene};
-use crate::supports::drive::told::{shafts, starts};
+use crate::supports::drive::told::told;
 use crate::supports::plan::{LeftOpen, each};
 use crate::supports::ring::bolts::RingBolts;
 use crate::supports::ring::capacity::Equivalent;
@@ -309,8 +309,7 @@ impl Described for RingScene {
 
     /// The moment over the reach; the load curve, with the reference loads of the cases where the curve is used most.
     fn more(this: &Description<RingScene>, model: &mut Standing, sheet: &mut Sheet) {
-        shafts::<RingScene>(model, sheet);
-        starts(&this.turning, model, sheet);
+        told::<RingScene>(&this.turning, model, sheet);
         let governing = sheet.positions.first().map(|position| position.value);
         sheet
             .curves

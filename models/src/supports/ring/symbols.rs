@@ -1,7 +1,7 @@
 //! Quantities of a slewing ring besides those of what slews on it.
 
 use crate::kernel::symbol::{Range, symbols};
-pub use crate::supports::drive::symbols::{J_D, M_FS, M_LC, RHO_C};
+pub use crate::supports::drive::symbols::{J_D, M_FS, M_FS0, M_LC, RHO_C};
 pub use crate::supports::upper::symbols::{
     AGREEMENT, FROM, H, H_1, H_ALL, H_TOP, M, M_ALL, M_TOP, OMEGA, PSI, Q, R, THETA_1, TO, V, V_TOP,
 };
