@@ -63,7 +63,10 @@ pub fn slewing(n: &mut Node, [size, weight, far]: [f64; 3]) {
 /// What slews may move behind a coupling, as fast as its head stays on its crane; with next to no friction, of which a
 /// coupling of any drive carries more, and on level ground.
 pub fn moving(n: &mut Node) {
-    let coupled = n.child("slewing_drive").is_some_and(|drive| drive.has("coupling"));
+    // A gear by stages may leave its motors next to no inertia.
+    let coupled = n
+        .child("slewing_drive")
+        .is_some_and(|drive| drive.has("coupling") && !drive.has("stages"));
     let moves = coupled && n.has("R") && n.draw.coin(0.8);
     n.remove(&["dynamics"]);
     n.keep("slewing", moves);
@@ -132,9 +135,8 @@ fn swung(n: &mut Node, rope: f64) -> bool {
 /// What makes a drive legal, of a crane of a size (m) and a weight (N); whether there is one, and its brake.
 fn turning(n: &mut Node, [size, weight]: [f64; 2]) -> [bool; 2] {
     let rubs = n.has("friction") || n.has("maker_friction");
-    if !rubs {
-        n.remove(&["slewing_drive"]);
-    }
+    let drives = rubs && (n.has("slewing_drive") || n.draw.coin(0.5));
+    n.keep("slewing_drive", drives);
     let time = n.draw.scale[2];
     let Some(mut drive) = n.child("slewing_drive") else {
         return [false; 2];
@@ -151,6 +153,8 @@ fn turning(n: &mut Node, [size, weight]: [f64; 2]) -> [bool; 2] {
     drive.set("J_M", shaft.max(1e-8));
     start(&mut drive);
     let torque = power / turns;
+    let brakes = drive.has("brake") || drive.draw.coin(0.5);
+    drive.keep("brake", brakes);
     let braked = drive.child("brake").map(|mut brake| {
         let own = torque * brake.draw.between(0.1, 2.0);
         brake.set("T_b", own);
