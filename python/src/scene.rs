@@ -89,6 +89,8 @@ fn role(role: Role) -> &'static str {
     }
 }
 
+/// Times (s) of events, each with the indicator that fell below zero.
+type Met = Vec<(f64, String)>;
 /// Key, id, value in SI, SI unit, display unit and its factor, whether the scene gives it, meaning.
 type Known<'a> = (&'a str, &'a str, f64, &'a str, &'a str, f64, bool, &'a str);
 /// Name, role, SI unit, display unit and its factor, typeset symbol, meaning, source, what its numbers mean.
@@ -440,7 +442,7 @@ impl Scene {
         columns: Vec<PyReadonlyArray1<'py, f64>>,
         times: PyReadonlyArray1<'py, f64>,
         outputs: Vec<String>,
-    ) -> PyResult<(Vec<Column<'py>>, Vec<(f64, String)>, Option<String>)> {
+    ) -> PyResult<(Vec<Column<'py>>, Met, Option<String>)> {
         let start = start.iter().map(|(name, value)| Ok((self.input(name)?, *value)));
         let given = inputs.iter().zip(&columns);
         let given = given.map(|(name, column)| Ok((self.input(name)?, column.as_array().to_vec())));

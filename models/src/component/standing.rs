@@ -134,9 +134,8 @@ impl Standing {
     /// # Errors
     /// A component that does not exist at the start of its working range.
     pub fn new(mut part: Box<dyn Part>, motion: Motion, tolerance: Option<f64>) -> Result<Standing, Fault> {
-        let groups = part.groups();
+        let (groups, sources, results) = (part.groups(), part.sources(), part.results());
         let used = |source: Source| groups[usize::from(source.group)].1;
-        let sources = part.sources();
         let of = |wanted| {
             let all = sources.iter().map(|(source, _)| *source);
             all.filter(move |source| used(*source) == wanted)
@@ -168,7 +167,6 @@ impl Standing {
                 false => Role::Calculated,
             }
         };
-        let results = part.results();
         for &(slot, quantity) in &results {
             let indicator = part.indicators().contains(&quantity.0);
             let role = if indicator { Role::Indicator } else { role(slot.sources) };
@@ -176,23 +174,24 @@ impl Standing {
             places.push(VariablePlace::Result(slot));
         }
         let only = |wanted| of(wanted).next().expect("every component has it");
-        let (mut wholes, axes) = (Vec::new(), [only(Use::Coordinate), only(Use::Rate)]);
+        let axes = Axes {
+            coordinate: only(Use::Coordinate),
+            rate: only(Use::Rate),
+            load: of(Use::Load).next(),
+        };
+        let mut wholes = Vec::new();
         for whole in part.whole() {
-            if let Some(spread) = Spread::new(whole, &sources, &results, axes) {
-                variables.push(Variable::new((whole.symbol, None), role(spread.sources)));
-                places.push(VariablePlace::Whole(wholes.len()));
-                wholes.push(spread);
-            }
+            let found = Spread::new(whole, &sources, &results, [axes.coordinate, axes.rate]);
+            let Some(spread) = found else { continue };
+            variables.push(Variable::new((whole.symbol, None), role(spread.sources)));
+            places.push(VariablePlace::Whole(wholes.len()));
+            wholes.push(spread);
         }
         let (variables, places) = listed(&*part, variables, places);
         let indicator = |&index: &usize| variables[index].role == Role::Indicator;
         let mut model = Standing {
             indicators: (0..variables.len()).filter(indicator).collect(),
-            axes: Axes {
-                coordinate: axes[0],
-                rate: axes[1],
-                load: of(Use::Load).next(),
-            },
+            axes,
             clock: of(Use::Time).next(),
             memory: of(Use::Memory).chain(of(Use::Latch)).collect(),
             sources,
