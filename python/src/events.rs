@@ -2,7 +2,7 @@
 //! the same whether anybody asks or not.
 
 use lemnis_models::component::model::Model;
-use lemnis_models::component::running::State;
+use lemnis_models::component::running::{Running, State};
 use lemnis_models::kernel::variable::{Fault, Role};
 
 /// What was located on the way.
@@ -55,7 +55,9 @@ impl Finder {
     fn at(&mut self, step: &Step<'_>, time: f64) -> Result<Vec<f64>, Fault> {
         self.count(step, time)?;
         let mut values = vec![0.0; self.indicators.len()];
-        self.model.event_indicators(&mut values)?;
+        // Infinite ones do not fall.
+        let running: &mut dyn Running = &mut *self.model;
+        running.event_indicators(&mut values)?;
         Ok(values)
     }
 
@@ -73,27 +75,27 @@ impl Finder {
     /// The events of a step between two times (s) that began in a state and met `count` of them or less, in their order.
     ///
     /// # Errors
-    /// None where the step itself had none.
+    /// A part of the step that cannot be made again.
     pub fn find(&mut self, before: &State, [from, to]: [f64; 2], count: u32) -> Result<Vec<Event>, Fault> {
         let (mut found, step) = (Vec::new(), Step { before, from });
         let beginning = (to - from) * BEGINNING;
         let mut earlier = from + beginning;
         let mut known = self.count(&step, earlier)?;
         while known < count {
-            let (mut before, mut beyond) = (earlier, to);
+            let (mut short_of, mut beyond) = (earlier, to);
             for _ in 0..HALVINGS {
-                let middle = f64::midpoint(before, beyond);
-                if middle <= before || middle >= beyond {
+                let middle = f64::midpoint(short_of, beyond);
+                if middle <= short_of || middle >= beyond {
                     break;
                 }
                 if self.count(&step, middle)? > known {
                     beyond = middle;
                 } else {
-                    before = middle;
+                    short_of = middle;
                 }
             }
-            let span = ((to - from) * FALL).min((before - from) / 2.0);
-            if let Some(indicator) = self.falling(&step, before, span)? {
+            let span = ((to - from) * FALL).min((short_of - from) / 2.0);
+            if let Some(indicator) = self.falling(&step, short_of, span)? {
                 found.push(Event {
                     time: beyond,
                     indicator,

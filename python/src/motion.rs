@@ -52,6 +52,21 @@ impl Run {
         model.start()?;
         self.look(model, table)
     }
+
+    /// A step to the next time, and what happened on the way.
+    fn step(&self, model: &mut Model, finder: &mut Finder, point: usize, done: &mut Done) -> Result<(), Fault> {
+        let times = [self.times[point], self.times[point + 1]];
+        self.set(model, point)?;
+        let (before, known) = (model.state(), model.count().events);
+        model.advance(times[0], times[1])?;
+        let count = model.count().events - known;
+        if count > 0 {
+            // The step was made, whatever becomes of looking for what happened in it.
+            done.events
+                .extend(finder.find(&before, times, count).unwrap_or_default());
+        }
+        self.look(model, &mut done.table)
+    }
 }
 
 /// What a run gave.
@@ -64,21 +79,8 @@ pub struct Done {
     pub ended: Option<String>,
 }
 
-impl Run {
-    /// A step to the next time, and what happened on the way.
-    fn step(&self, model: &mut Model, finder: &mut Finder, point: usize, done: &mut Done) -> Result<(), Fault> {
-        let times = [self.times[point], self.times[point + 1]];
-        self.set(model, point)?;
-        let (before, known) = (model.state(), model.count().events);
-        model.advance(times[0], times[1])?;
-        let count = model.count().events - known;
-        if count > 0 {
-            done.events.extend(finder.find(&before, times, count)?);
-        }
-        self.look(model, &mut done.table)
-    }
-}
-
+/// Runs a model through its times.
+///
 /// # Errors
 /// Values that cannot be, a motion that cannot begin, Ctrl+C.
 pub fn run(py: Python<'_>, run: Run, model: Model) -> PyResult<Done> {
