@@ -1,7 +1,9 @@
 //! A sudden wind: heel at rest and heel to which the hull rolls, and the least moment that capsizes it.
 
+use num_dual::Dual64;
+
 use crate::afloat::hull::Floating;
-use crate::afloat::levers::{At, over, raised};
+use crate::afloat::levers::{At, Heeled, over};
 use crate::afloat::loaded::Loaded;
 use crate::afloat::loss::{beyond, swung};
 use crate::afloat::openings::AreaEnds;
@@ -15,6 +17,7 @@ use crate::kernel::calc::{Calc, sum};
 use crate::kernel::group::quantities;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Fault;
+use crate::parts::bracket::bracketed;
 
 quantities! {
     /// A sudden wind, and the roll against it from which the hull comes.
@@ -41,8 +44,8 @@ impl Finding<2> for Struck {
 /// The least moment that capsizes, in N·m.
 struct Capsizing;
 
-/// Halvings of the range in which the tangent is looked for: its moment errs by the square of what is left.
-const HALVINGS: usize = 32;
+/// Of the heel (rad): the moment of the tangent errs by less than the square of this, by its steepness.
+const NEAR: f64 = 1e-8;
 
 impl Finding<1> for Capsizing {
     type From<C: Calc> = At<C>;
@@ -56,27 +59,23 @@ impl Finding<1> for Capsizing {
         if from.value().abs() >= end.value().abs() {
             return Err(beyond("before the gust", *from, *end));
         }
-        let low = raised(on, all, *from)?[0];
-        let (plain, weighed) = (on.map(&mut |x| x.value()), all.map(&mut |x| x.value()));
-        // Above zero beyond the heel where the line from the start touches the curve.
-        let beyond_touch = |heel: f64| -> Result<bool, Fault> {
-            let [rise, lever] = raised(&plain, &weighed, heel)?;
-            Ok(rise - low.value() > lever * (heel - from.value()))
+        let mut heeled = Heeled::new(on, all, None);
+        let low = heeled.raised(*from)?[0];
+        let plain = |x: C| Dual64::from_re(x.value());
+        let (hull, weighed) = (on.map(&mut { plain }), all.map(&mut { plain }));
+        let mut tried = Heeled::new(&hull, &weighed, None);
+        // Below zero beyond the heel where the line from the start touches the curve.
+        let mut over = |heel: f64| {
+            let [rise, lever] = tried.raised(Dual64::new(heel, 1.0))?;
+            let travel = heel - from.value();
+            Ok::<_, Fault>([low.value() + lever.re * travel - rise.re, lever.eps * travel])
         };
         let mut touch = *end;
-        if beyond_touch(end.value())? {
-            let (mut near, mut far) = (from.value(), end.value());
-            for _ in 0..HALVINGS {
-                let middle = f64::midpoint(near, far);
-                if beyond_touch(middle)? {
-                    far = middle
-                } else {
-                    near = middle
-                }
-            }
-            touch = C::constant(f64::midpoint(near, far));
+        if over(end.value())?[0] < 0.0 {
+            let ends = [from.value(), end.value()];
+            touch = C::constant(bracketed(ends, f64::midpoint(ends[0], ends[1]), NEAR, over)?);
         }
-        let lever = (raised(on, all, touch)?[0] - low) / (touch - *from);
+        let lever = (heeled.raised(touch)?[0] - low) / (touch - *from);
         Ok([all.weight * lever.abs()])
     }
 }

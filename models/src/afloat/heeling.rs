@@ -3,7 +3,7 @@
 use num_dual::Dual64;
 
 use crate::afloat::hull::Floating;
-use crate::afloat::levers::at_heel;
+use crate::afloat::levers::Heeled;
 use crate::afloat::symbols as s;
 use crate::afloat::weights::Weighed;
 use crate::component::found::{Finding, found};
@@ -11,6 +11,7 @@ use crate::component::scalar::Scalar;
 use crate::kernel::calc::Calc;
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::Fault;
+use crate::parts::bracket::bracketed;
 
 /// What floats, as it weighs; place of an opening (m), and two heels (rad) between which it comes to the water.
 type Heeling<C> = (Floating<C>, Weighed<C>, [C; 5]);
@@ -34,9 +35,8 @@ impl<const LOST: bool> Finding<1> for Flooding<LOST> {
 /// Heels (rad) up to which it is looked for, and the steps in which.
 const FARTHEST: f64 = 1.4;
 const STEP: f64 = 0.1;
-/// Steps of Newton's method, at most, and the last one (rad).
-const STEPS: usize = 60;
-const NEAR: f64 = 1e-13;
+/// Of the heel (rad): one more step leaves the square of this.
+const NEAR: f64 = 1e-8;
 
 /// How an opening stands over the water along the hull's own vertical, in m.
 pub fn height<C: Calc>([x, y, z]: [C; 3], [draft, along, across]: [C; 3]) -> C {
@@ -58,7 +58,7 @@ impl HeelSteps {
     /// It does not come to rest.
     pub fn new<C: Calc>(on: &Floating<C>, all: &Weighed<C>, from: f64, side: f64) -> Result<HeelSteps, Fault> {
         let (on, all) = (on.map(&mut |x| x.value()), all.map(&mut |x| x.value()));
-        let found = vec![(from, at_heel(&on, &all, from)?)];
+        let found = vec![(from, Heeled::new(&on, &all, None).lies(from)?)];
         Ok(HeelSteps { on, all, side, found })
     }
 
@@ -86,7 +86,9 @@ impl HeelSteps {
                     return Ok([near; 2]);
                 }
                 let heel = self.side * (self.side * near + STEP).min(FARTHEST);
-                self.found.push((heel, at_heel(&self.on, &self.all, heel)?));
+                let before = self.found[step - 1].1;
+                let lies = Heeled::new(&self.on, &self.all, Some(before)).lies(heel)?;
+                self.found.push((heel, lies));
             }
             let (far, lies) = self.found[step];
             if height(place, lies) < 0.0 {
@@ -124,32 +126,20 @@ impl HeelSteps {
 fn floods<C: Calc>((on, all, [x, y, z, near, far]): &Heeling<C>) -> Result<C, Fault> {
     let plain = |x: C| Dual64::from_re(x.value());
     let (hull, weighed, place) = (on.map(&mut { plain }), all.map(&mut { plain }), [*x, *y, *z].map(plain));
-    let high = |heel: f64| Ok::<_, Fault>(height(place, at_heel(&hull, &weighed, Dual64::new(heel, 1.0))?));
-    let (mut near, mut far) = (near.value(), far.value());
+    let mut heeled = Heeled::new(&hull, &weighed, None);
+    let mut high = |heel: f64| {
+        let over = height(place, heeled.lies(Dual64::new(heel, 1.0))?);
+        Ok::<_, Fault>([over.re, over.eps])
+    };
+    let (near, far) = (near.value(), far.value());
     if near == far {
         return Ok(C::constant(f64::INFINITY));
     }
     let side = (far - near).signum();
-    let mut heel = f64::midpoint(near, far);
-    for _ in 0..STEPS {
-        let over = high(heel)?;
-        if over.re >= 0.0 {
-            near = heel
-        } else {
-            far = heel
-        }
-        let next = heel - over.re / over.eps;
-        let inside = next >= near.min(far) && next <= near.max(far);
-        let next = if inside { next } else { f64::midpoint(near, far) };
-        let done = (next - heel).abs() < NEAR;
-        heel = next;
-        if done {
-            break;
-        }
-    }
+    let heel = bracketed([near, far], f64::midpoint(near, far), NEAR, &mut high)?;
     // A last step brings the derivatives.
-    let steep = C::constant(high(heel)?.eps);
+    let steep = C::constant(high(heel)?[1]);
     let heel = C::constant(heel);
-    let left = height([*x, *y, *z], at_heel(on, all, heel)?);
+    let left = height([*x, *y, *z], Heeled::new(on, all, None).lies(heel)?);
     Ok(C::constant(side) * (heel - left / steep))
 }

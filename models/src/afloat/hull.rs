@@ -38,7 +38,7 @@ pub struct Offsets {
 group!(Offsets);
 
 /// A tank: its walls, weight of its liquid for a volume (N/m³), volume of the liquid (m³), its centre and the middle of its
-/// surface (m), the hull upright.
+/// surface, the hull upright, and its length, breadth and depth (m).
 #[derive(Clone, Debug)]
 pub struct BallastTank<C> {
     pub walls: Solid<C>,
@@ -46,6 +46,7 @@ pub struct BallastTank<C> {
     pub volume: C,
     pub centre: [C; 3],
     surface: [C; 3],
+    size: [C; 3],
 }
 
 impl<C: Calc> BallastTank<C> {
@@ -53,16 +54,38 @@ impl<C: Calc> BallastTank<C> {
     /// (m⁴), and the second moments of the surface about its own centre (m⁴).
     pub fn leaning(&self, [a, b]: [C; 2]) -> ([C; 3], [C; 3]) {
         let slopes = [a.value(), b.value()];
-        // Where the surface meets walls alone, it goes through the middle of the upright one.
+        let [length, breadth, depth] = self.size;
+        let rises = [slopes[0] * length.value(), slopes[1] * breadth.value()].map(f64::abs);
+        let depth = depth.value();
+        let filled = 2.0 * (self.surface[2] - self.centre[2]).value();
+        let (low, full) = (filled.min(depth - filled), 2.0 * filled > depth);
+        if rises[0] + rises[1] < 2.0 * low {
+            // It meets walls alone, and turns about its middle.
+            let area = (length * breadth).scaled(1.0 / 12.0);
+            let (along, across) = (area * length.square(), area * breadth.square());
+            let up = (a.square() * along + b.square() * across).scaled(0.5);
+            return ([a * along, b * across, up], [along, C::constant(0.0), across]);
+        }
+        // Looked for from that of a tank that leans to one side alone: a trapezium, a triangle or a parallelogram below it.
+        let rise = rises[0].max(rises[1]);
+        let over = if rise < 2.0 * low {
+            low
+        } else if 2.0 * rise * low < depth * depth {
+            f64::sqrt(2.0 * rise * low) - 0.5 * rise
+        } else {
+            0.5 * depth + rise * (low / depth - 0.5)
+        };
         let [x, y, z] = self.surface.map(|x| x.value());
-        let middle = z - slopes[0] * x - slopes[1] * y;
+        let over = if full { depth - over } else { over };
+        let near = z - filled + over - slopes[0] * x - slopes[1] * y;
         let walls = self.walls.map(&mut |x| x.value());
-        let level = C::constant(walls.level(slopes, self.volume.value(), middle));
+        let level = C::constant(walls.level(slopes, self.volume.value(), near));
         let found = self.walls.cut([level, a, b]);
-        // A last step of Newton's method brings the derivatives.
-        let level = level + (self.volume - found.volume) / found.area;
-        let found = self.walls.cut([level, a, b]);
-        let moved = [0, 1, 2].map(|i| found.moment[i] - self.volume * self.centre[i]);
+        // What is missing lies at the surface: a last step of Newton's method, which brings the derivatives.
+        let short = self.volume - found.volume;
+        let [x, y] = found.first.map(|first| first / found.area);
+        let at = [x, y, level + a * x + b * y];
+        let moved = [0, 1, 2].map(|i| found.moment[i] + short * at[i] - self.volume * self.centre[i]);
         (moved, found.central())
     }
 }
@@ -103,6 +126,7 @@ impl<C: Calc> Floating<C> {
                 volume,
                 centre: [tank.x_t, tank.y_t, tank.z_t + half],
                 surface: [tank.x_t, tank.y_t, tank.z_t + tank.h_t],
+                size: [tank.l_t, tank.b_t, tank.d_t],
             }
         };
         Ok(Floating {
@@ -136,6 +160,7 @@ impl<C: Calc> Floating<C> {
                     volume: f(tank.volume),
                     centre: tank.centre.map(&mut *f),
                     surface: tank.surface.map(&mut *f),
+                    size: tank.size.map(&mut *f),
                 })
                 .collect(),
             water: f(self.water),

@@ -2,7 +2,7 @@
 
 use crate::afloat::hull::Floating;
 use crate::afloat::loaded::Loaded;
-use crate::afloat::rest::{Lie, Rests, rest};
+use crate::afloat::rest::{Lie, rest};
 use crate::afloat::symbols as s;
 use crate::afloat::upright::Upright;
 use crate::afloat::weights::Weighed;
@@ -33,28 +33,45 @@ fn slope<C: Calc>(heel: C) -> C {
     sin / cos
 }
 
-/// Draft (m) and slopes at a heel (rad) that is held, the trim free.
-///
-/// # Errors
-/// It does not come to rest.
-pub fn at_heel<C: Calc>(on: &Floating<C>, all: &Weighed<C>, heel: C) -> Result<[C; 3], Fault> {
-    rest(on, all, Rests::AtHeel, slope(heel)).ok_or_else(|| {
-        Fault::outside(format!(
-            "at a heel of {} with W = {} the hull finds no trim; keep to smaller heels",
-            s::PHI.written(heel.value()),
-            s::W.written(all.weight.value()),
-        ))
-    })
+/// What floats at heels that are held, the trim free: each looked for from the one before.
+pub struct Heeled<'a, C> {
+    on: &'a Floating<C>,
+    all: &'a Weighed<C>,
+    near: Option<[f64; 3]>,
 }
 
-/// Rise of the centre of gravity over that of buoyancy (m) at a heel (rad) that is held, and the righting lever (m).
-///
-/// # Errors
-/// It does not come to rest.
-#[inline(never)]
-pub fn raised<C: Calc>(on: &Floating<C>, all: &Weighed<C>, heel: C) -> Result<[C; 2], Fault> {
-    let at = at_heel(on, all, heel)?;
-    Ok(Lie::new(on, all, at).energy(at))
+impl<'a, C: Calc> Heeled<'a, C> {
+    /// Looked for first from where it lies nearby: draft (m) and slopes.
+    pub fn new(on: &'a Floating<C>, all: &'a Weighed<C>, near: Option<[f64; 3]>) -> Heeled<'a, C> {
+        Heeled { on, all, near }
+    }
+
+    /// Draft (m) and slopes at a heel (rad).
+    ///
+    /// # Errors
+    /// It does not come to rest.
+    #[inline(never)]
+    pub fn lies(&mut self, heel: C) -> Result<[C; 3], Fault> {
+        let found = rest(self.on, self.all, Some(slope(heel)), self.near).ok_or_else(|| {
+            Fault::outside(format!(
+                "at a heel of {} with W = {} the hull finds no trim; keep to smaller heels",
+                s::PHI.written(heel.value()),
+                s::W.written(self.all.weight.value()),
+            ))
+        })?;
+        self.near = Some(found.map(|x| x.value()));
+        Ok(found)
+    }
+
+    /// Rise of the centre of gravity over that of buoyancy (m) at a heel (rad), and the righting lever (m).
+    ///
+    /// # Errors
+    /// It does not come to rest.
+    #[inline(never)]
+    pub fn raised(&mut self, heel: C) -> Result<[C; 2], Fault> {
+        let at = self.lies(heel)?;
+        Ok(Lie::new(self.on, self.all, at).energy(at))
+    }
 }
 
 /// Lever (m) and area (m·rad) at a heel.
@@ -69,8 +86,9 @@ impl Finding<2> for Righting {
     }
 
     fn find<C: Calc>((on, all, [heel, upright]): &At<C>) -> Result<[C; 2], Fault> {
-        let [high, lever] = raised(on, all, *heel)?;
-        let [low, _] = raised(on, all, *upright)?;
+        let mut heeled = Heeled::new(on, all, None);
+        let [high, lever] = heeled.raised(*heel)?;
+        let [low, _] = heeled.raised(*upright)?;
         Ok([lever, high - low])
     }
 }

@@ -1,11 +1,11 @@
 //! Areas that are left between levers, and what a loss of load does.
 
 use crate::afloat::hull::Floating;
-use crate::afloat::levers::{At, over, raised};
+use crate::afloat::levers::{At, Heeled, over};
 use crate::afloat::loaded::Loaded;
 use crate::afloat::openings::AreaEnds;
 use crate::afloat::posture::Posture;
-use crate::afloat::rest::{Lie, Rests, rest};
+use crate::afloat::rest::{Lie, rest};
 use crate::afloat::symbols as s;
 
 use crate::component::found::{Finding, found};
@@ -15,6 +15,7 @@ use crate::kernel::calc::Calc;
 use crate::kernel::group::quantities;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Fault;
+use crate::parts::bracket::bracketed;
 
 quantities! {
     /// What a loss of load is judged by.
@@ -37,7 +38,8 @@ impl Finding<1> for Left {
         if heel.value().abs() >= end.value().abs() {
             return Err(beyond("under the load", *heel, end));
         }
-        Ok([raised(on, all, end)?[0] - raised(on, all, *heel)?[0]])
+        let mut heeled = Heeled::new(on, all, None);
+        Ok([heeled.raised(end)?[0] - heeled.raised(*heel)?[0]])
     }
 }
 
@@ -70,6 +72,8 @@ struct Lost;
 
 /// Nearer than this (rad) to the rest the roll is that of small angles.
 const SMALL: f64 = 1e-5;
+/// Of the heel (rad): one more step leaves the square of this over its distance from the rest.
+const NEAR: f64 = 1e-11;
 
 impl Finding<4> for Lost {
     type From<C: Calc> = At<C>;
@@ -91,7 +95,7 @@ impl Finding<4> for Lost {
 /// None of rest, or a roll beyond the last heel.
 #[inline(never)]
 pub fn swung<C: Calc>((on, all, [from, end]): &At<C>, when: [&str; 2]) -> Result<[C; 4], Fault> {
-    let Some(at) = rest(on, all, Rests::Free, C::constant(0.0)) else {
+    let Some(at) = rest(on, all, None, None) else {
         let what = format!(
             "M_T = {} at W = {}: {} the hull has no equilibrium; give less load, reach or wind, or other ballast",
             s::M_T.written(all.across.value()),
@@ -106,36 +110,24 @@ pub fn swung<C: Calc>((on, all, [from, end]): &At<C>, when: [&str; 2]) -> Result
     if (end.value() - rest.value()) * end.value() <= 0.0 {
         return Err(beyond(when[0], rest, end));
     }
-    let high = raised(on, all, *from)?[0];
-    let (drives, stops) = (high - low, raised(on, all, end)?[0] - low);
+    let mut heeled = Heeled::new(on, all, Some(at.map(|x| x.value())));
+    let high = heeled.raised(*from)?[0];
+    let (drives, stops) = (high - low, heeled.raised(end)?[0] - low);
     let rolls = if (from.value() - rest.value()).abs() < SMALL {
         rest + rest - *from
     } else {
         let plain = (on.map(&mut |x| x.value()), all.map(&mut |x| x.value()));
-        let (mut near, mut far) = (rest.value(), end.value());
-        let mut heel = (2.0 * near - from.value()).max(near.min(far)).min(near.max(far));
+        let (near, far) = (rest.value(), end.value());
+        let mirrored = (2.0 * near - from.value()).max(near.min(far)).min(near.max(far));
         if stops.value() < drives.value() {
             return Err(beyond(when[1], end, end));
         }
-        for _ in 0..60 {
-            let [rise, lever] = raised(&plain.0, &plain.1, heel)?;
-            let short = high.value() - rise;
-            if short > 0.0 {
-                near = heel
-            } else {
-                far = heel
-            }
-            let next = heel + short / lever;
-            let inside = next > near.min(far) && next < near.max(far);
-            let next = if inside { next } else { f64::midpoint(near, far) };
-            let done = (next - heel).abs() < 1e-13;
-            heel = next;
-            if done {
-                break;
-            }
-        }
-        let heel = C::constant(heel);
-        let [rise, lever] = raised(on, all, heel)?;
+        let mut tried = Heeled::new(&plain.0, &plain.1, Some(at.map(|x| x.value())));
+        let heel = C::constant(bracketed([near, far], mirrored, NEAR, |heel| {
+            let [rise, lever] = tried.raised(heel)?;
+            Ok::<_, Fault>([high.value() - rise, -lever])
+        })?);
+        let [rise, lever] = heeled.raised(heel)?;
         heel + (high - rise) / lever
     };
     Ok([rest, drives, stops, rolls])

@@ -2,7 +2,7 @@
 
 use crate::afloat::hull::{BoxHull, Floating};
 use crate::afloat::loaded::Loaded;
-use crate::afloat::rest::{Rests, rest};
+use crate::afloat::rest::rest;
 use crate::afloat::symbols as s;
 use crate::afloat::upright::Upright;
 use crate::afloat::weights::Weighed;
@@ -29,7 +29,7 @@ impl Finding<3> for Resting {
     }
 
     fn find<C: Calc>((on, all): &(Floating<C>, Weighed<C>)) -> Result<[C; 3], Fault> {
-        rest(on, all, Rests::Free, C::constant(0.0)).ok_or_else(|| {
+        rest(on, all, None, None).ok_or_else(|| {
             Fault::outside(format!(
                 "M_T = {} and M_L = {} at W = {}: the hull has no equilibrium under them; give less load or reach, or a greater hull",
                 s::M_T.written(all.across.value()),

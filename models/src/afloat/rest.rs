@@ -97,15 +97,8 @@ pub fn quiet<C: Calc>(x: C, rounding: f64) -> C {
     }
 }
 
-/// Which step is gone.
-#[derive(Clone, Copy, PartialEq)]
-pub enum Rests {
-    Free,
-    AtHeel,
-}
-
-/// Of a slope, and of a draft as part of it: the last step leaves the square of this.
-const NEAR: f64 = 1e-10;
+/// Of a slope, and of a draft as part of it: one more step leaves the square of this.
+const NEAR: f64 = 1e-8;
 /// A slope below this is what rounding leaves of none.
 const ROUNDING: f64 = 1e-14;
 
@@ -113,20 +106,21 @@ const ROUNDING: f64 = 1e-14;
 const LONGEST: f64 = 0.3;
 const STEPS: usize = 80;
 
-/// Where it comes to rest, from the upright hull, or from one at a heel that is held: draft and slopes. Found by plain numbers;
-/// a last step over any scalar has the derivatives, by the theorem of the implicit function.
+/// Where it comes to rest, free or with a slope across that is held: draft (m) and slopes, looked for from those where it
+/// lies nearby, or without trim and heel. Found by plain numbers; a last step over any scalar has the derivatives, by the
+/// theorem of the implicit function.
 #[inline(never)]
-pub fn rest<C: Calc>(on: &Floating<C>, all: &Weighed<C>, held: Rests, heel: C) -> Option<[C; 3]> {
+pub fn rest<C: Calc>(on: &Floating<C>, all: &Weighed<C>, held: Option<C>, near: Option<[f64; 3]>) -> Option<[C; 3]> {
     let (plain, weighed) = (on.map(&mut |x| x.value()), all.map(&mut |x| x.value()));
     let volume = weighed.weight / plain.water;
-    let mut at = [0.0, 0.0, if held == Rests::AtHeel { heel.value() } else { 0.0 }];
-    at[0] = plain.level([at[1], at[2]], volume);
-    let step = |lie: &Lie<f64>, at| {
-        if held == Rests::AtHeel {
-            lie.to_trim(at)
-        } else {
-            lie.to_rest(at)
-        }
+    let mut at = near.unwrap_or_default();
+    at[2] = held.map_or(at[2], |heel| heel.value());
+    if near.is_none() {
+        at[0] = plain.level([at[1], at[2]], volume);
+    }
+    let step = |lie: &Lie<f64>, at| match held {
+        Some(_) => lie.to_trim(at),
+        None => lie.to_rest(at),
     };
     let mut rests = false;
     for _ in 0..STEPS {
@@ -149,13 +143,11 @@ pub fn rest<C: Calc>(on: &Floating<C>, all: &Weighed<C>, held: Rests, heel: C) -
         }
     }
     let [t, a, b] = at.map(C::constant);
-    let from = if held == Rests::AtHeel { [t, a, heel] } else { [t, a, b] };
+    let from = [t, a, held.unwrap_or(b)];
     let lie = Lie::new(on, all, from);
-    let found = if held == Rests::AtHeel {
-        lie.to_trim(from)
-    } else {
-        lie.to_rest(from)
+    let [t, a, b] = match held {
+        Some(_) => lie.to_trim(from),
+        None => lie.to_rest(from),
     };
-    let [t, a, b] = found;
     rests.then_some([t, quiet(a, ROUNDING), quiet(b, ROUNDING)])
 }

@@ -4,7 +4,7 @@ use crate::afloat::drawing::drawn;
 use crate::afloat::gust::GustGiven;
 use crate::afloat::hull::FloodedSpace;
 use crate::afloat::judging::{HullCases, chapter};
-use crate::afloat::levers::{ToldHeel, raised};
+use crate::afloat::levers::{Heeled, ToldHeel};
 use crate::afloat::loss::LossRule;
 use crate::afloat::openings::Opening;
 use crate::afloat::outline::{LEVERS, OPENINGS, OUTLINE};
@@ -372,7 +372,8 @@ impl Described for AfloatScene {
             ..loaded.all
         });
         let rise = rise.zip(known.floating().ok()).and_then(|(all, floating)| {
-            Some(raised(floating, &all, end).ok()?[0] - raised(floating, &all, 0.0).ok()?[0])
+            let mut heeled = Heeled::new(floating, &all, None);
+            Some(heeled.raised(end).ok()?[0] - heeled.raised(0.0).ok()?[0])
         });
         let weights = sample(model, &[&s::W, &s::NABLA], std::iter::once(this.motion.from)).remove(0);
         let water = this.given.density.1 * this.given.gravity.1 * weights[1];

@@ -1,7 +1,7 @@
 //! Tables and curves that the book has of a floating crane.
 
 use crate::afloat::hull::Offsets;
-use crate::afloat::levers::raised;
+use crate::afloat::levers::Heeled;
 use crate::afloat::stages::{FloatingCrane, Given};
 use crate::afloat::symbols as s;
 use crate::afloat::weights::Weighed;
@@ -21,10 +21,11 @@ pub fn levers(given: &Given<f64>, at: f64, heels: impl Iterator<Item = f64>) -> 
     let (upright, all) = (*known.upright().ok()?, known.loaded().ok()?.all);
     let floating = known.floating().ok()?;
     let centred = Weighed { across: 0.0, ..all };
+    let mut heeled = Heeled::new(floating, &centred, None);
     let mut curves = [const { Vec::new() }; 3];
     for heel in heels {
         let (sin, cos) = Calc::sin_cos(heel);
-        let [_, lever] = raised(floating, &centred, heel).ok()?;
+        let [_, lever] = heeled.raised(heel).ok()?;
         let walls = (upright.height[0] + upright.radius[0] / 2.0 * (sin / cos).square()) * sin;
         let asked = (all.across / all.weight).abs() * cos;
         curves

@@ -3,9 +3,11 @@
 //! The liquid stands at `z = t + a x + b y`. Sheared along z by that plane the solid keeps its volumes, and each triangle below
 //! the plane bounds a tetrahedron with a corner in it: the lid on the plane adds nothing, and no polygon is closed.
 
+use std::convert::Infallible;
 use std::sync::Arc;
 
 use crate::kernel::calc::Calc;
+use crate::parts::bracket::bracketed;
 use crate::parts::cut::Cut;
 
 /// A triangle by the places of its corners, counter-clockwise seen from outside.
@@ -155,33 +157,19 @@ impl Solid<f64> {
 /// Level (m) of the plane of slopes below which a volume (m³) lies, to a part of the heights (m) between which it is sought:
 /// Newton's method from a level (m), or from the middle, between ends that close in. The whole, or nothing of it, where there is not as much.
 pub fn level(
-    [mut low, mut high]: [f64; 2],
+    [low, high]: [f64; 2],
     [a, b]: [f64; 2],
     volume: f64,
     from: Option<f64>,
     below: impl Fn([f64; 3]) -> Cut<f64>,
 ) -> f64 {
-    let size = high - low;
     let from = from.filter(|from| *from > low && *from < high);
-    let mut level = from.unwrap_or(f64::midpoint(low, high));
-    for _ in 0..200 {
+    let from = from.unwrap_or(f64::midpoint(low, high));
+    let short = |level: f64| {
         let cut = below([level, a, b]);
-        let short = volume - cut.volume;
-        if short > 0.0 {
-            low = level
-        } else {
-            high = level
-        }
-        let next = level + short / cut.area;
-        let next = if next > low && next < high {
-            next
-        } else {
-            f64::midpoint(low, high)
-        };
-        if (next - level).abs() <= NEAR * size {
-            return next;
-        }
-        level = next;
+        Ok::<_, Infallible>([volume - cut.volume, -cut.area])
+    };
+    match bracketed([low, high], from, NEAR * (high - low), short) {
+        Ok(level) => level,
     }
-    level
 }
