@@ -225,7 +225,7 @@ impl<C: Calc> Floating<C> {
 impl Floating<f64> {
     /// As [`level`], of a volume (m³) that bears.
     #[must_use]
-    pub fn level(&self, slopes: [f64; 2], volume: f64) -> f64 {
-        level(self.hull.heights(slopes), slopes, volume, None, |plane| self.cut(plane))
+    pub fn level(&self, slopes: [f64; 2], volume: f64, from: Option<f64>) -> f64 {
+        level(self.hull.heights(slopes), slopes, volume, from, |plane| self.cut(plane))
     }
 }

@@ -52,7 +52,9 @@ impl<'a, C: Calc> Heeled<'a, C> {
     /// It does not come to rest.
     #[inline(never)]
     pub fn lies(&mut self, heel: C) -> Result<[C; 3], Fault> {
-        let found = rest(self.on, self.all, Some(slope(heel)), self.near).ok_or_else(|| {
+        let held = Some(slope(heel));
+        let near = self.near.and_then(|near| rest(self.on, self.all, held, Some(near)));
+        let found = near.or_else(|| rest(self.on, self.all, held, None)).ok_or_else(|| {
             Fault::outside(format!(
                 "at a heel of {} with W = {} the hull finds no trim; keep to smaller heels",
                 s::PHI.written(heel.value()),

@@ -115,9 +115,7 @@ pub fn rest<C: Calc>(on: &Floating<C>, all: &Weighed<C>, held: Option<C>, near: 
     let volume = weighed.weight / plain.water;
     let mut at = near.unwrap_or_default();
     at[2] = held.map_or(at[2], |heel| heel.value());
-    if near.is_none() {
-        at[0] = plain.level([at[1], at[2]], volume);
-    }
+    at[0] = plain.level([at[1], at[2]], volume, near.map(|near| near[0]));
     let step = |lie: &Lie<f64>, at| match held {
         Some(_) => lie.to_trim(at),
         None => lie.to_rest(at),
@@ -133,7 +131,7 @@ pub fn rest<C: Calc>(on: &Floating<C>, all: &Weighed<C>, held: Option<C>, near: 
             // Too far for the draft to follow: it is found anew.
             let part = (LONGEST / turns).min(1.0);
             at = [0.0, at[1] + part * (next[1] - at[1]), at[2] + part * (next[2] - at[2])];
-            at[0] = plain.level([at[1], at[2]], volume);
+            at[0] = plain.level([at[1], at[2]], volume, None);
             continue;
         }
         rests = turns + ((next[0] - at[0]) / (1.0 + next[0].abs())).abs() < NEAR;

@@ -36,7 +36,7 @@ impl Finding<8> for Floated {
                 s::NABLA.written(whole),
             )));
         }
-        let level = C::constant(hull.level([0.0; 2], volume.value()));
+        let level = C::constant(hull.level([0.0; 2], volume.value(), None));
         let cut = on.cut([level, zero, zero]);
         // A last step of Newton's method brings the derivatives.
         let draft = level + (*volume - cut.volume) / cut.area;
