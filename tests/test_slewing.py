@@ -85,7 +85,9 @@ def swung(times, moment, blows, length=18.0, reach=25.0, mass=16e3):
         against = speed - blows(t) * wind
         fall = gravity - (120.0 + 0.5 * 1.225 * 1.2 * 14.0 * math.sqrt(against @ against)) / mass * against
         weight = -180e3 * 1.2 * np.cross(forward, gravity)[2]
-        alone = (moment(t) + weight - 600e3 * omega - 40e3 * math.copysign(1.0, omega or 1.0)) / 9e6
+        aside = math.sin(math.radians(30.0) - psi)
+        blown = 0.5 * 1.225 * blows(t) * abs(blows(t)) * 140.0 * 5.5 * aside
+        alone = (moment(t) + weight + blown - 600e3 * omega - 40e3 * math.copysign(1.0, omega or 1.0)) / 9e6
         arm = np.cross(head, along)[2]
         # along · (fall − pull/mass along − head'') + |speed − moving|²/length = 0
         free = along @ (fall - reach * (alone * left - omega**2 * forward)) + (speed - moving) @ (speed - moving) / length

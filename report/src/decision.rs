@@ -11,7 +11,7 @@ use lemnis_models::kernel::variable::Fault;
 use lemnis_models::scene::Scene;
 use lemnis_trade::setting::Method;
 use lemnis_trade::trade::SAMPLE;
-use toml_edit::{Document, value};
+use toml_edit::{Document, TableLike, value};
 
 use crate::failure::Failure;
 use crate::measuring::{dispensable, measured, verdict};
@@ -53,6 +53,12 @@ pub fn decided(scene: Scene, name: &str) -> Result<Decision, Failure> {
     Ok(Decision { scene, notes })
 }
 
+/// The table at a path, with points between its names.
+fn within<'a>(table: &'a mut dyn TableLike, path: &str) -> Option<&'a mut dyn TableLike> {
+    path.split('.')
+        .try_fold(table, |table, name| table.get_mut(name)?.as_table_like_mut())
+}
+
 /// The same scene with the cheapest level, step and tolerance that keep to its accuracy, by counted work.
 fn chosen(scene: &Scene, name: &str, notes: &mut Vec<String>) -> Result<Scene, Failure> {
     let undecided = |message: String| {
@@ -82,7 +88,7 @@ fn chosen(scene: &Scene, name: &str, notes: &mut Vec<String>) -> Result<Scene, F
             // A part that stands beside its mechanism.
             if keys.is_empty() {
                 document.remove(table);
-            } else if let Some(table) = document.get_mut(table).and_then(|item| item.as_table_like_mut()) {
+            } else if let Some(table) = within(document.as_table_mut(), table) {
                 keys.iter().for_each(|key| drop(table.remove(key)));
             }
         }
@@ -93,7 +99,7 @@ fn chosen(scene: &Scene, name: &str, notes: &mut Vec<String>) -> Result<Scene, F
         for (table, keys) in unused {
             if keys.is_empty() {
                 mechanism.remove(table);
-            } else if let Some(table) = mechanism.get_mut(table).and_then(|item| item.as_table_like_mut()) {
+            } else if let Some(table) = within(mechanism, table) {
                 keys.iter().for_each(|key| drop(table.remove(key)));
             }
         }

@@ -134,7 +134,9 @@ impl Case {
             Some(maker) => (maker.legal)(&mut draw, keys),
             None => draw.table(keys),
         };
-        if draw.coin(0.2) {
+        let stands =
+            mechanism == "slewing" && !matches!(made.get("fidelity").and_then(Value::as_str), Some("rigid" | "swing"));
+        if draw.coin(0.2) && !stands {
             let oil = matches!(made.get("fidelity").and_then(Value::as_str), Some("hydraulic" | "auto"));
             let steps = oil || unsampled(&made);
             draw.tell_over_time(keys, &mut made, steps);

@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 
 use lemnis_models::kernel::schema::Key;
 use lemnis_models::kernel::symbol::Symbol;
+use lemnis_models::parts::air::AROUND;
 use lemnis_models::parts::turntable::MOST_SPIN;
 use lemnis_models::slewing::symbols as s;
 use toml::Table;
@@ -28,11 +29,8 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
         n.keep("l_R", true);
         let rope = n.draw.natural(&s::L_R) * n.draw.between(0.2, 2.0);
         n.set("l_R", rope);
-        let blows = n.draw.coin(0.5);
-        n.keep("air", blows);
-        if blows {
-            air(&mut n, rope, true);
-        }
+        let loaded = n.draw.coin(0.5);
+        windy(&mut n, inertia, Some(rope).filter(|_| loaded));
         for name in ["phi_R", "chi_R"] {
             if n.has(name) {
                 let angle = n.draw.between(-1.5, 1.5);
@@ -40,7 +38,8 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
             }
         }
     } else {
-        n.remove(&["l_R", "phi_R", "chi_R", "air"]);
+        n.remove(&["l_R", "phi_R", "chi_R"]);
+        windy(&mut n, inertia, None);
     }
     let start = n.draw.between(-PI, PI);
     if matches!(n.text("fidelity"), Some("rigid" | "swing")) {
@@ -97,6 +96,29 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
         motion.set("speed", most);
     }
     table
+}
+
+/// Air around a load on a rope (m), if any; where there is an area, one that its wind turns by a radian in a natural time or later.
+fn windy(n: &mut Node, inertia: f64, rope: Option<f64>) {
+    let there = n.has("A_ws");
+    n.keep("r_ws", there);
+    n.keep("air", there || rope.is_some());
+    if there || rope.is_some() {
+        air(n, rope.unwrap_or(1.0), true);
+    }
+    if !there {
+        return;
+    }
+    if rope.is_none() {
+        n.child("air").expect("kept").remove(&AROUND);
+    }
+    let air = n.child("air").expect("kept");
+    let pressure = 0.5 * air.get("rho_air").max(1.225) * air.get("v_air").powi(2);
+    let place = n.draw.natural(&s::R_WS) * n.draw.between(-1.0, 1.0);
+    let most = inertia / n.draw.scale[2].powi(2) / (pressure * place.abs()).max(1e-300);
+    let area = most.min(n.draw.natural(&s::A_WS)) * n.draw.between(0.0, 1.0);
+    n.set("r_ws", place);
+    n.set("A_ws", area);
 }
 
 /// A coupling that lets the drive slew, and holds the weights across the slope.

@@ -2,9 +2,11 @@
 
 use std::f64::consts::PI;
 
+use lemnis_models::parts::air::AROUND;
 use lemnis_models::parts::turntable::MOST_SPIN;
 use lemnis_models::supports::drive::symbols as d;
 use lemnis_models::supports::upper::symbols as s;
+use toml::Value;
 
 use crate::bodies::{list, row};
 use crate::cases::start;
@@ -86,9 +88,14 @@ pub fn moving(n: &mut Node) {
     let swings = moves && n.draw.coin(0.5);
     let rope = n.draw.natural(&d::L_R) * n.draw.between(0.2, 2.0);
     let held = swings && swung(n, rope);
+    let areas = n
+        .table
+        .get("areas")
+        .and_then(Value::as_array)
+        .is_some_and(|rows| !rows.is_empty());
     let Some(mut own) = n.child("slewing") else { return };
     own.put("fidelity", if swings { "swing" } else { "rigid" });
-    let blows = swings && own.has("air");
+    let blows = own.has("air") && (swings || areas);
     own.keep("l_R", swings && !held);
     own.keep("air", blows);
     if swings && !held {
@@ -96,6 +103,9 @@ pub fn moving(n: &mut Node) {
     }
     if blows {
         air(&mut own, rope, true);
+        if !swings || (areas && own.draw.coin(0.3)) {
+            own.child("air").expect("kept").remove(&AROUND);
+        }
     }
     for name in ["phi_R", "chi_R"] {
         let angle = own.draw.between(-1.5, 1.5);

@@ -17,7 +17,7 @@ symbols! {
     C_WQ: "c_wQ" "c_\"wQ\"" ONE / ONE [not_negative], "Drag coefficient of the load.", "input";
     A_Q: "A_Q" "A_Q" M2 / M2 [not_negative], "Area of the load that the air meets.", "input";
     RHO_AIR: "rho_air" "rho_\"air\"" KG_PER_M3 / KG_PER_M3 [positive], "Density of the air.", "input";
-    V_AIR: "v_air" "v_\"air\"" M_PER_S / M_PER_S [from_to(-70.0, 70.0)], "Speed of the wind at the load; positive forward or, where the crane slews, in its direction.", "input";
+    V_AIR: "v_air" "v_\"air\"" M_PER_S / M_PER_S [from_to(-70.0, 70.0)], "Speed of the wind; positive forward or, where the crane slews, in its direction.", "input";
     CHI_AIR: "chi_air" "chi_\"air\"" RAD / DEG, "Direction to which the wind blows, counted as the slewing angle.", "input";
 
     // The load in the air.
@@ -41,20 +41,39 @@ quantities! {
 }
 
 quantities! {
-    /// The wind at the load.
-    WindAtLoad { v_air: V_AIR, chi_air: CHI_AIR }
+    /// The wind.
+    WindAround { v_air: V_AIR, chi_air: CHI_AIR }
 }
 
 /// The table of a scene that has the air around a load that swings.
 pub const AIR: Key = Key::part("air", AIR_KEYS, "Air that resists a load on its rope, and the wind.");
 
-static AIR_KEYS: &[Key] = keys! { s:
+const AIR_KEYS: &[Key] = keys! { s:
     Q_AIR > 0 [or_mass], D_Q >= 0 [usually(0.0)], C_WQ >= 0 [usually(0.0)], A_Q >= 0 [usually(0.0)],
     RHO_AIR > 0 [usually(1.225)], V_AIR [over_time, optional], CHI_AIR [over_time, optional]
 };
 
-/// Keys of slewing that say something of a load that swings.
-pub const SWINGING: [&str; 4] = ["l_R", "phi_R", "chi_R", AIR.name];
+/// The same of slewing, where the wind may act on the structure alone.
+pub const AIR_OR_WIND: Key = Key::part(
+    AIR.name,
+    &WITHOUT_LOAD,
+    "Air that resists a load on its rope, and the wind.",
+);
+
+static WITHOUT_LOAD: [Key; 8] = {
+    let mut keys = [AIR_KEYS[0]; 8];
+    let mut i = 1;
+    while i < keys.len() {
+        keys[i] = AIR_KEYS[i];
+        i += 1;
+    }
+    keys[0] = keys[0].optional();
+    keys
+};
+
+/// Keys of slewing that say something of a load that swings, and those of its table of the air.
+pub const SWINGING: [&str; 3] = ["l_R", "phi_R", "chi_R"];
+pub const AROUND: [&str; 4] = ["Q_air", "d_Q", "c_wQ", "A_Q"];
 
 /// Most that the air may take of the load's speed in the strongest wind, over the frequency of its swinging: beyond that
 /// the load does not swing any more.

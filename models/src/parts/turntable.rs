@@ -44,7 +44,7 @@ pub struct SlewingJoint {
 }
 
 /// What carries all that slews gives to its motion: inertia (kg·m²) and dry friction (N·m); reach (m) and load (N), each with whether
-/// it is an input; slope (rad) with the weight (N) of what slews and its lever (m); of the coupling inertia of the drive's side (kg·m²)
+/// it is an input; slope (rad) with the weight (N) of what slews and its lever (m); wind area (m²) with the distance of its centre (m), where wind blows; of the coupling inertia of the drive's side (kg·m²)
 /// and limit (N·m); length of the rope (m), where the drive gives one.
 #[derive(Clone, Copy, Debug)]
 pub struct Borne {
@@ -53,10 +53,14 @@ pub struct Borne {
     pub reach: (f64, bool),
     pub load: (f64, bool),
     pub slope: Option<[f64; 3]>,
+    pub wind: Option<[f64; 2]>,
     pub side: f64,
     pub limit: f64,
     pub rope: Option<f64>,
 }
+
+/// What is taken for granted where the wind blows on what slews.
+pub const WIND_ON_SLEWED: &str = "slewing_wind";
 
 /// Refuses a table that says nothing of the inertia of what slews.
 #[must_use]

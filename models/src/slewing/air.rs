@@ -1,17 +1,61 @@
-//! The air around a load that swings while its crane slews by itself: [`crate::parts::air`] from a head at a reach.
+//! The air around what slews by itself: around a load that swings, [`crate::parts::air`] from a head at a reach, and the wind on
+//! the structure.
 
 use nalgebra::Vector3;
 
-use crate::component::stages::results;
+use crate::component::stages::{Found, absent, results};
 use crate::kernel::calc::Calc;
-use crate::parts::air::{AirAround, AirDrag, Stream, WindAtLoad};
+use crate::kernel::group::{One, quantities};
+use crate::parts::air::{AirAround, AirDrag, Stream, WindAround};
 use crate::parts::hanging::turned;
 use crate::slewing::swinging::Swinging;
 use crate::slewing::symbols as s;
 use crate::slewing::turning::{Hung, SlewedLoad};
 
+quantities! {
+    /// The structure as the wind meets it from the side.
+    SlewedArea { a_ws: A_WS, r_ws: R_WS }
+}
+
+/// The wind on the structure: its pressure, in Pa and with the sign of its speed, and its moment about the slewing axis, in N·m.
+#[derive(Clone, Copy, Debug)]
+pub struct WindOnSlewed<C> {
+    pressure: C,
+    pub(super) moment: C,
+}
+results! { WindOnSlewed as w => { P_WS: w.pressure; M_WS: w.moment; } }
+
+impl<C: Calc> WindOnSlewed<C> {
+    /// p = ½ ρ v |v|, M_ws = p A_ws r_ws sin(χ − ψ): the law by which a drive is designed, for the wind over the ground.
+    /// [Ports001, 6.4]
+    pub fn new(
+        area: &SlewedArea<C>,
+        blowing: &WindAround<C>,
+        density: &Option<One<C>>,
+        around: &Option<AirAround<C>>,
+        psi: &C,
+    ) -> Found<WindOnSlewed<C>> {
+        let rho = density.map(|rho| *rho).or(around.map(|around| around.rho_air));
+        let rho = rho.ok_or_else(absent)?;
+        let pressure = (C::constant(0.5) * rho * blowing.v_air * blowing.v_air.abs()).def(&s::P_WS);
+        let aside = (blowing.chi_air - *psi).sin();
+        Ok(WindOnSlewed {
+            pressure,
+            moment: (pressure * area.a_ws * area.r_ws * aside).def(&s::M_WS),
+        })
+    }
+}
+
+/// What slope and wind give together to what slews, in N·m; `None` where there is neither.
+pub fn outer<C: Calc>(tilt: Option<&C>, wind: Option<&WindOnSlewed<C>>) -> Option<C> {
+    match (tilt, wind) {
+        (Some(tilt), Some(wind)) => Some(*tilt + wind.moment),
+        (tilt, wind) => tilt.copied().or(wind.map(|wind| wind.moment)),
+    }
+}
+
 /// The air as the load meets it, in the frame that slews.
-pub fn stream<C: Calc>(around: &AirAround<C>, blowing: &WindAtLoad<C>, hung: &Hung<C>, psi: &C) -> Stream<C> {
+pub fn stream<C: Calc>(around: &AirAround<C>, blowing: &WindAround<C>, hung: &Hung<C>, psi: &C) -> Stream<C> {
     Stream::new(AirDrag::new(around, hung.g), [blowing.v_air, blowing.chi_air], *psi)
 }
 

@@ -33,6 +33,9 @@ pub fn beside(
             (&s::R_U, arm, false),
         ]);
     }
+    if let Some([area, arm]) = borne.wind {
+        given.extend([(&s::A_WS, area, false), (&s::R_WS, arm, false)]);
+    }
     let swings = own.text("fidelity") == Some("swing");
     given.extend(borne.rope.filter(|_| swings).map(|length| (&s::L_R, length, false)));
     let all = own.completed(KEYS, tables, &given);

@@ -5,6 +5,7 @@ use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::number::short;
 use crate::kernel::schema::Values;
 use crate::kernel::symbol::Symbol;
+use crate::parts::air::AIR;
 use crate::parts::control::SpeedControl;
 use crate::parts::control::reading::TABLE;
 use crate::parts::hanging::too_short;
@@ -25,7 +26,7 @@ const LIGHTEST_DRIVE: f64 = 1e-6;
 const SHORTEST_STEP: f64 = 1e-2;
 
 /// Longest step of the solver where the scene gives none: parts of the time in which friction slows it, of those in which it
-/// swings on its slope and its load on the rope, of that in
+/// swings on its slope and in its wind and its load on the rope, of that in
 /// which the head moves by its rope's length at the start, and of that in which a continuous controller changes the speed.
 const LONGEST: [f64; 5] = [0.25, 0.1, 0.1, 0.1, 0.1];
 /// The same of the run through the working range, or, where that is shorter than a swing of a rope as long as rope and
@@ -73,6 +74,15 @@ impl Slewed<'_> {
         leaning * Calc::sin_cos(self.of(&s::GAMMA_S)).0
     }
 
+    /// Greatest moment of the wind on what slews that the scene has, in N·m.
+    fn blown(&self) -> f64 {
+        let Some(air) = self.table.table(AIR.name) else {
+            return 0.0;
+        };
+        let [speed, density] = [&s::V_AIR, &s::RHO_AIR].map(|symbol| air.greatest(symbol.id).unwrap_or(0.0));
+        0.5 * density * speed * speed * self.of(&s::A_WS) * self.of(&s::R_WS).abs()
+    }
+
     /// How far from the axis something slews, in m: the head, or the weight that leans.
     fn widest(&self) -> f64 {
         let leans = if self.of(&s::G_U) == 0.0 { 0.0 } else { self.of(&s::R_U) };
@@ -116,10 +126,10 @@ impl Slewed<'_> {
         let [reach, rope] = self.lengths();
         // A load that swings leaves slewing by itself, and pulls it back the harder the heavier it is.
         let heavy = 1.0 + self.load() / turning.j_sl;
-        let stiffness = self.across();
+        let stiffness = self.across().abs() + self.blown();
         let mut times = [
             self.inertia() / turning.c_sl,
-            (self.inertia() / stiffness.abs()).sqrt(),
+            (self.inertia() / stiffness).sqrt(),
             f64::INFINITY,
             f64::INFINITY,
             self.regulated(),

@@ -115,7 +115,7 @@ pub fn passing<C: Calc>(
     turning: &Turning<C>,
     past: &Past<C>,
     stops: &Stops,
-    tilt: Option<&C>,
+    outer: &Option<C>,
     led: Option<&Led<C>>,
     turned: &Turned<C>,
     psi: &C,
@@ -124,7 +124,7 @@ pub fn passing<C: Calc>(
     let moment = match (limited(coupling, slipping), bar) {
         (Some(moment), _) => moment,
         (None, Bar::Held) => {
-            let without = needed(motor, tilt, led) + motor.m_sl;
+            let without = needed(motor, outer, led) + motor.m_sl;
             let alone = SlewingDrive { m_b_sl: none, ..*motor };
             let [least, most] = joint(turning, stops).holds(*psi, &drive(&alone));
             let low = (motor.m_sl - motor.m_b_sl).greater(without - most);

@@ -19,6 +19,7 @@
 //! | `slewing.load` | [`turning::SlewedLoad::new`] | geometry |
 //! | `slewing.inertia` | [`turning::total`] | Ports001, 6.5 |
 //! | `slewing.slope` | [`turning::tilt`] | Ports001, 6.4, by virtual work |
+//! | `slewing.wind` | [`air::WindOnSlewed::new`], [`air::outer`] | Ports001, 6.4 |
 //! | `slewing.steady` | [`turning::Steady::new`] | Ports001, 6.4 |
 //! | `slewing.circle` | [`turning::Circling::new`] | mechanics |
 //! | `slewing.control` | [`control::Regulated::new`], [`control::acting`] | sampled PI control |
@@ -32,6 +33,7 @@
 //! | `slewing.events` | [`motion::SlewingEvents::new`], [`swinging::slackening`], [`coupled_sides::CouplingEvents::new`] | events |
 
 pub mod air;
+mod air_scene;
 pub mod beside;
 pub mod blows;
 mod bounds;

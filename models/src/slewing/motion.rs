@@ -59,9 +59,9 @@ pub fn joint<C: Calc>(turning: &Turning<C>, stops: &Stops) -> Joint<C> {
     }
 }
 
-/// What the drive and the slope give together, in N·m.
-pub(super) fn driving<C: Calc>(driven: &SlewingDrive<C>, tilt: Option<&C>) -> C {
-    tilt.map_or(driven.m_sl, |tilt| driven.m_sl + *tilt)
+/// What the drive, slope and wind give together, in N·m.
+pub(super) fn driving<C: Calc>(driven: &SlewingDrive<C>, outer: &Option<C>) -> C {
+    outer.map_or(driven.m_sl, |outer| driven.m_sl + outer)
 }
 
 pub(super) fn drive<C: Calc>(driven: &SlewingDrive<C>) -> JointDrive<C> {
@@ -86,16 +86,16 @@ pub struct Led<C> {
 pub fn held<C: Calc>(
     joint: &Joint<C>,
     driven: &SlewingDrive<C>,
-    tilt: Option<&C>,
+    outer: &Option<C>,
     led: Option<&Led<C>>,
     psi: &C,
 ) -> [C; 3] {
     let [least, most] = joint.holds(*psi, &drive(driven));
-    [needed(driven, tilt, led), least, most]
+    [needed(driven, outer, led), least, most]
 }
 
-pub(super) fn needed<C: Calc>(driven: &SlewingDrive<C>, tilt: Option<&C>, led: Option<&Led<C>>) -> C {
-    led.map_or_else(|| -driving(driven, tilt), |led| led.needs)
+pub(super) fn needed<C: Calc>(driven: &SlewingDrive<C>, outer: &Option<C>, led: Option<&Led<C>>) -> C {
+    led.map_or_else(|| -driving(driven, outer), |led| led.needs)
 }
 
 /// M_R: −c ω − (M_F + M_B) while it turns to the left, what it needs at rest, in N·m. [Ports001, 6.5]
@@ -104,12 +104,12 @@ pub fn resisting<C: Calc>(
     driven: &SlewingDrive<C>,
     past: &Past<C>,
     stops: &Stops,
-    tilt: Option<&C>,
+    outer: &Option<C>,
     led: Option<&Led<C>>,
     omega: &C,
 ) -> C {
     let moment = match (past.bar(), led) {
-        (Bar::Held, _) => needed(driven, tilt, led),
+        (Bar::Held, _) => needed(driven, outer, led),
         (_, Some(led)) => return led.rubbing,
         (bar, None) => joint(turning, stops).resistance(bar, *omega, &drive(driven)),
     };
@@ -127,12 +127,12 @@ pub struct Turned<C> {
 results! { Turned as t => { D_PSI_SL: t.rate; D_OMEGA_SL: t.acceleration; F_T: t.along.ok_or_else(absent)?; } }
 
 impl<C: Calc> Turned<C> {
-    /// ω̇ = (M_sl + M_γ + M_R) / J, F_t = m_Q R ω̇. [Ports001, 6.5]
+    /// ω̇ = (M_sl + M_γ + M_ws + M_R) / J, F_t = m_Q R ω̇. [Ports001, 6.5]
     #[expect(clippy::too_many_arguments, reason = "all that turns it")]
     pub fn new(
         driven: &SlewingDrive<C>,
         past: &Past<C>,
-        tilt: Option<&C>,
+        outer: &Option<C>,
         resisting: &C,
         led: Option<&Led<C>>,
         total: &C,
@@ -143,7 +143,7 @@ impl<C: Calc> Turned<C> {
         let acceleration = match (past.bar(), led) {
             (Bar::Held, _) => C::constant(0.0),
             (_, Some(led)) => led.acceleration,
-            _ => ((driving(driven, tilt) + *resisting) / *total).def(&s::D_OMEGA_SL),
+            _ => ((driving(driven, outer) + *resisting) / *total).def(&s::D_OMEGA_SL),
         };
         Turned {
             rate: *omega,
@@ -172,13 +172,13 @@ impl<C: Calc> SlewingEvents<C> {
         driven: &SlewingDrive<C>,
         past: &Past<C>,
         stops: &Stops,
-        tilt: Option<&C>,
+        outer: &Option<C>,
         led: Option<&Led<C>>,
         psi: &C,
         omega: &C,
     ) -> SlewingEvents<C> {
         let joint = joint(turning, stops);
-        let needs = || held(&joint, driven, tilt, led, psi);
+        let needs = || held(&joint, driven, outer, led, psi);
         SlewingEvents(joint.indicators(past.bar(), [*psi, *omega], needs).map(above_zero))
     }
 }

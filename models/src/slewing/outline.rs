@@ -14,6 +14,7 @@ pub const OUTLINE: Outline = Outline {
     ],
     sections: &[
         ("slewing_slope", &[Stage("tilt")]),
+        ("slewing_wind", &[Stage("wind")]),
         ("slewing_steady", &[Stage("steady")]),
         ("slewing_circle", &[Stage("circling")]),
         ("slewing_control", &[Stage("sampled")]),
@@ -24,14 +25,16 @@ pub const OUTLINE: Outline = Outline {
         ("slewing_coupling", &[Stage("passing"), Stage("coupled")]),
         ("slewing_winding", &[Stage("winding")]),
     ],
-    table: listed!(s: M_GAMMA, M_ST, P_ST, F_N, M_R_SL, D_OMEGA_SL, F_T, S_R),
+    table: listed!(s: M_GAMMA, M_WS, M_ST, P_ST, F_N, M_R_SL, D_OMEGA_SL, F_T, S_R),
     curves: &[
         ("slewing_slope", None, &s::M_GAMMA),
+        ("slewing_wind", None, &s::M_WS),
         ("slewing_steady", None, &s::M_ST),
         ("slewing_acceleration", None, &s::D_OMEGA_SL),
     ],
     extremes: &[
         Greatest::new(&s::M_GAMMA_MAX, Most::Amount, &s::M_GAMMA),
+        Greatest::new(&s::M_WS_MAX, Most::Amount, &s::M_WS),
         Greatest::new(&s::M_ST_MAX, Most::Amount, &s::M_ST),
         Greatest::new(&s::P_ST_MAX, Most::Amount, &s::P_ST),
     ],

@@ -21,7 +21,7 @@ use crate::kernel::schema::{Key, Values};
 use crate::kernel::sign::Sign;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Fault;
-use crate::parts::air::{self, AIR, AirAround, SWINGING, WindAtLoad, around};
+use crate::parts::air::{self, AIR, AIR_OR_WIND, AROUND, SWINGING};
 use crate::parts::control::continuous::{Regime, Regulating};
 use crate::parts::control::{Latched, SpeedControl, taken};
 use crate::parts::hanging::{self, HangingLoad};
@@ -29,8 +29,9 @@ use crate::parts::motion::Motion;
 use crate::parts::plane::Point;
 use crate::parts::shaping;
 use crate::parts::slip;
-use crate::parts::turntable::{self as joint, SlewingJoint};
+use crate::parts::turntable::{self as joint, SlewingJoint, WIND_ON_SLEWED};
 use crate::parts::turntable_control::{self, AXIS, CONTINUOUS, CONTROL};
+use crate::slewing::air_scene::{SlewedAir, refused};
 use crate::slewing::bounds::{Slewed, weightless};
 use crate::slewing::coupling::{DriveSide, SlipCoupling, SlipPast};
 use crate::slewing::motion::{Past, SlewingDrive, Stops};
@@ -54,10 +55,12 @@ pub const KEYS: &[Key] = keys! { joint:
     Key::quantity(&s::PHI_R, Sign::Any).optional(),
     Key::quantity(&s::R, Sign::NotNegative).or_input().optional(),
     Key::weight(&s::Q).or_input().optional(),
+    Key::quantity(&s::A_WS, Sign::NotNegative).optional(),
+    Key::quantity(&s::R_WS, Sign::Any).optional(),
     SOLVED,
     Key::part("motion", MOTION, "Working range of slewing by itself."),
     Key::part("slope", SLOPE, "The ground that is not level, and what stands on it."),
-    AIR,
+    AIR_OR_WIND,
     CONTROL,
     COUPLING,
     Key::part("limits", LIMITS, "What results may come to at most.")
@@ -155,18 +158,8 @@ fn suits(v: &Values, found: &mut Vec<Diagnostic>) -> [bool; 2] {
         let help = "add l_R = \"15 m\", the length of the rope from head to load";
         found.push(v.refuse(s::L_R.id, what, "l_R is missing in [slewing]", help));
     }
+    found.extend(refused(v, [moves, swings]));
     [moves, swings]
-}
-
-/// The air that a table has around a load that swings, and the wind; mistakes go to `found`.
-fn in_air(
-    table: &Values,
-    [rope, gravity]: [f64; 2],
-    found: &mut Vec<Diagnostic>,
-) -> Option<(AirAround<f64>, WindAtLoad<f64>)> {
-    let around = around(table, [(gravity / rope).sqrt(), gravity], true, found)?;
-    let [v_air, chi_air] = [&s::V_AIR, &s::CHI_AIR].map(|symbol| table.number(symbol.id).unwrap_or(0.0));
-    Some((around, WindAtLoad { v_air, chi_air }))
 }
 
 /// The controller with its command, of an inertia (kg·m²), and the coupling, where there are any; mistakes go to `found`.
@@ -218,6 +211,13 @@ fn settled(mut given: Given<f64>) -> Given<f64> {
     given
 }
 
+impl SlewingScene {
+    /// What of the air a load that does not swing has no use for.
+    fn still(&self) -> (&'static str, &'static [&'static str]) {
+        (AIR.name, if self.given.area.is_some() { &AROUND } else { &[] })
+    }
+}
+
 impl Described for SlewingScene {
     type Component = SlewingCrane;
     const ID: &'static str = "slewing";
@@ -254,10 +254,7 @@ impl Described for SlewingScene {
             found.push(weightless(v));
             return None;
         }
-        let air = v.table(AIR.name).filter(|_| swings);
-        let (around, blowing) = air
-            .and_then(|table| in_air(table, [n(s::L_R.id), gravity], found))
-            .unzip();
+        let air = SlewedAir::read(v, swings.then_some([n(s::L_R.id), gravity]), found);
         let inertia = joint.turning.j_sl + carried / gravity * n(s::R.id);
         let (controlled, coupling) = driven(v, inertia, found)?;
         let (control, commanded) = controlled.unzip();
@@ -298,8 +295,10 @@ impl Described for SlewingScene {
             }),
             swung: swings.then(|| HangingLoad::resting(n(s::L_R.id), [&s::PHI_R, &s::CHI_R].map(|a| n(a.id))).into()),
             rope: RopeLength::read(v).filter(|_| swings),
-            around,
-            blowing,
+            area: air.area,
+            density: air.density,
+            around: air.around,
+            blowing: air.blowing,
             slackness: swings.then_some(Slackness { slack: 0.0 }),
             coupling,
             side: coupling.map(|_| DriveSide::along(range.speed)),
@@ -337,7 +336,7 @@ impl Described for SlewingScene {
     fn set_level(&mut self, level: &str) {
         if level != "swing" {
             (self.given.swung, self.given.rope, self.given.slackness) = (None, None, None);
-            (self.given.around, self.given.blowing) = (None, None);
+            SlewedAir::without_load(&mut self.given);
         }
         if level == "static" {
             self.given.driven = None;
@@ -350,10 +349,11 @@ impl Described for SlewingScene {
     fn unused(&self, level: &str) -> Vec<(&'static str, &'static [&'static str])> {
         match level {
             "swing" => Vec::new(),
-            "rigid" => vec![("slewing", &SWINGING)],
+            "rigid" => vec![("slewing", &SWINGING), self.still()],
             _ => vec![
                 ("dynamics", &[]),
                 ("slewing", &SWINGING),
+                self.still(),
                 (CONTROL.name, &[]),
                 (COUPLING.name, &[]),
             ],
@@ -416,6 +416,7 @@ impl Described for SlewingScene {
                 vec!["slewing_level_swing", damped, "slewing_hook"]
             }
         };
+        list.extend(this.given.area.map(|_| WIND_ON_SLEWED));
         list.extend(this.given.coupling.map(|_| "slewing_coupling"));
         list.extend(taken(this.given.control.iter()));
         list
@@ -423,9 +424,11 @@ impl Described for SlewingScene {
 
     fn uncovered(this: &Description<SlewingScene>) -> Vec<&'static str> {
         let sway = this.given.swung.is_none().then_some("sway");
-        let wind = match this.given.around {
-            Some(_) => "wind_on_structure",
-            None => "wind",
+        let wind = match (this.given.around, this.given.area) {
+            (Some(_), Some(_)) => None,
+            (Some(_), None) => Some("wind_on_structure"),
+            (None, Some(_)) => Some("wind_on_load"),
+            (None, None) => Some("wind"),
         };
         let rest = [
             "dynamic_coefficients",
@@ -434,7 +437,7 @@ impl Described for SlewingScene {
             "stability",
             "load_cases",
         ];
-        std::iter::once(wind).chain(sway).chain(rest).collect()
+        wind.into_iter().chain(sway).chain(rest).collect()
     }
 
     /// A load that swings stands where its rope and the angles of it put it; a controller has held the speed of the working

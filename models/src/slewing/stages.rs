@@ -5,13 +5,13 @@ use crate::component::stages::{Found, stages};
 use crate::kernel::group::{One, group};
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Variable;
-use crate::parts::air::{AirAround, Stream, WindAtLoad};
+use crate::parts::air::{AirAround, Stream, WindAround};
 use crate::parts::control::continuous::{Regime, Regulating};
 use crate::parts::control::{Latched, SpeedControl};
 use crate::parts::hanging::HangingLoad;
 use crate::parts::joint::{Arrival, Bar, Joint};
 use crate::parts::turntable::Turning;
-use crate::slewing::air::{FeltAir, stream};
+use crate::slewing::air::{FeltAir, SlewedArea, WindOnSlewed, outer, stream};
 use crate::slewing::blows::SwungInstant;
 use crate::slewing::control::{
     ControlEvents, Controlled, Regulated, Regulation, Winding, accelerated, acting, sampled, speed,
@@ -35,11 +35,13 @@ stages! {
         Parameter hung: Hung<C>,
         Parameter turning: Turning<C>,
         Parameter slope: Option<Ground<C>>,
+        Parameter area: Option<SlewedArea<C>>,
+        Parameter density: Option<One<C>>,
         Input driven: Option<SlewingDrive<C>>,
         State swung: Option<SwingingLoad<C>>,
         Parameter rope: Option<RopeLength<C>>,
         Parameter around: Option<AirAround<C>>,
-        Input blowing: Option<WindAtLoad<C>>,
+        Input blowing: Option<WindAround<C>>,
         Parameter control: Option<SpeedControl<C>>,
         Input commanded: Option<One<C>>,
         Parameter coupling: Option<SlipCoupling<C>>,
@@ -56,7 +58,9 @@ stages! {
         carried: SlewedLoad<C> = SlewedLoad::new(hung);
         total: C = total(turning, carried) => J_TOT;
         tilt: C = tilt(slope[!], hung, psi) => M_GAMMA;
-        steady: Steady<C> = Steady::new(turning, tilt[?], omega);
+        wind: WindOnSlewed<C> = WindOnSlewed::new(area[!], blowing[!], density, around, psi);
+        outer: Option<C> = outer(tilt[?], wind[?]) => _;
+        steady: Steady<C> = Steady::new(turning, outer, omega);
         circling: Circling<C> = Circling::new(carried, hung, total, omega);
         bound: Turning<C> = carried_along(turning, coupling, slipping) => _;
         whole: C = all_along(total, coupling, slipping) => _;
@@ -68,22 +72,23 @@ stages! {
         motor: SlewingDrive<C> = acting(driven[!], latched, regulation[?]) => _;
         drive: SlewingDrive<C> = passed_on(motor, coupling, slipping) => _;
         leaning: C = leaning(slope[!], swung[!], psi) => M_GAMMA_U;
+        pushed: Option<C> = outer(leaning[?], wind[?]) => _;
         stream: Stream<C> = stream(around[!], blowing[!], hung, psi) => _;
         swinging: Swinging<C> = Swinging::new(
-            bound, drive, past, slackness[!], stops, slope, leaning[?], stream[?], swung[!], hung, carried, psi,
+            bound, drive, past, slackness[!], stops, slope, pushed, stream[?], swung[!], hung, carried, psi,
             omega);
         in_air: FeltAir<C> = FeltAir::new(stream, swinging, hung, carried, omega);
         led: Led<C> = led(swinging) => _;
-        resisting: C = resisting(turning, drive, past, stops, tilt[?], led[?], omega) => M_R_SL;
-        turned: Turned<C> = Turned::new(drive, past, tilt[?], resisting, led[?], whole, carried, hung, omega);
+        resisting: C = resisting(turning, drive, past, stops, outer, led[?], omega) => M_R_SL;
+        turned: Turned<C> = Turned::new(drive, past, outer, resisting, led[?], whole, carried, hung, omega);
         rates: SwingingRates<C> = SwingingRates::new(swinging);
         passing: C = passing(
-            motor, coupling[!], slipping[!], turning, past, stops, tilt[?], led[?], turned, psi) => M_CD, decided;
+            motor, coupling[!], slipping[!], turning, past, stops, outer, led[?], turned, psi) => M_CD, decided;
         coupled: DriveRates<C> = DriveRates::new(
             motor, coupling[!], slipping[!], side[!], passing, turned, omega), decided;
         winding: Winding<C> = Winding::new(control[!], regime[!], regulation, turned, coupled[?]), decided;
         struck: C = struck(driven[!], past) => W_BLOW;
-        events: SlewingEvents<C> = SlewingEvents::new(turning, drive, past, stops, tilt[?], led[?], psi, omega);
+        events: SlewingEvents<C> = SlewingEvents::new(turning, drive, past, stops, outer, led[?], psi, omega);
         slackening: C = slackening(swinging, rope[!], slackness[!]) => Z_ROPE;
         parting: CouplingEvents<C> = CouplingEvents::new(
             motor, coupling[!], slipping[!], side[!], passing, omega), decided;
@@ -249,15 +254,9 @@ fn regulate(known: &mut Known<f64>) -> Found<bool> {
 fn loosen(known: &mut Known<f64>, joint: &Joint<f64>, now: &mut SwungInstant) -> Found<()> {
     if now.bar == Bar::Held {
         let driven = *known.drive()?;
-        let tilt = known.given.slope.is_some().then(|| known.tilt().copied()).transpose()?;
+        let outer = *known.outer()?;
         let led = known.given.swung.is_some().then(|| known.led().copied()).transpose()?;
-        now.bar = Bar::loosened(motion::held(
-            joint,
-            &driven,
-            tilt.as_ref(),
-            led.as_ref(),
-            &known.given.psi,
-        ));
+        now.bar = Bar::loosened(motion::held(joint, &driven, &outer, led.as_ref(), &known.given.psi));
         put(known, now);
     }
     if let (Some(coupled), Some(coupling)) = (&mut now.coupled, known.given.coupling) {

@@ -97,7 +97,7 @@ impl<C: Calc> Swinging<C> {
         slackness: &Slackness<C>,
         stops: &Stops,
         slope: &Option<Ground<C>>,
-        leaning: Option<&C>,
+        outer: &Option<C>,
         stream: Option<&Stream<C>>,
         swung: &SwingingLoad<C>,
         hung: &Hung<C>,
@@ -111,7 +111,7 @@ impl<C: Calc> Swinging<C> {
             .def(&s::M_R_SL);
         let free = bar != Bar::Held;
         let alone = if free {
-            ((driving(driven, leaning) + rubbing) / turning.j_sl).def(&s::ALPHA_0SL)
+            ((driving(driven, outer) + rubbing) / turning.j_sl).def(&s::ALPHA_0SL)
         } else {
             zero
         };
@@ -141,7 +141,7 @@ impl<C: Calc> Swinging<C> {
         let found = joints.hung(load, masses, line, around);
         Swinging {
             load,
-            needs: -driving(driven, leaning) - found.rope * found.arms[0],
+            needs: -driving(driven, outer) - found.rope * found.arms[0],
             rubbing,
             found,
         }

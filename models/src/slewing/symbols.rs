@@ -3,7 +3,7 @@
 use crate::component::description::Vocabulary;
 pub use crate::kernel::gravity::G;
 use crate::kernel::symbol::symbols;
-pub use crate::parts::air::{CHI_AIR, F_AIR, P_AIR, V_AIR};
+pub use crate::parts::air::{CHI_AIR, F_AIR, P_AIR, RHO_AIR, V_AIR};
 pub use crate::parts::hanging::{
     ALPHA_0SL, D_V_QX, D_V_QY, D_V_QZ, D_X_Q, D_Y_Q, D_Z_Q, L_R, PHI_R, S_R, V_QX, V_QY, V_QZ, X_Q, Y_Q, Z_Q, Z_ROPE,
 };
@@ -30,6 +30,8 @@ symbols! {
     GAMMA_S: "gamma_s" "gamma_\"s\"" RAD / DEG [from_to(0.0, 0.5)], "Slope on which the crane stands; the slewing angle counts from its downhill direction.", "input";
     G_U: "G_u" "G_u" N / KN [not_negative], "Weight of all that slews, without the load.", "input";
     R_U: "r_u" "r_u" M / M, "Distance of the centre of gravity of all that slews from the slewing axis, without the load; positive on the load's side.", "input";
+    A_WS: "A_ws" "A_\"ws\"" M2 / M2 [not_negative], "Wind area of all that slews, seen from the side, with its shape coefficient; without the load.", "input";
+    R_WS: "r_ws" "r_\"ws\"" M / M, "Distance of the centre of the wind area from the slewing axis; positive on the load's side.", "input";
     STEP: "step" "h" S / MS [positive], "Longest step of the solver.", "input";
 
     // Results at any angle.
@@ -37,8 +39,10 @@ symbols! {
     J_Q: "J_Q" "J_Q" KG_M2 / T_M2 [not_negative], "Inertia of the load about the slewing axis.", "derived";
     J_TOT: "J_tot" "J_\"tot\"" KG_M2 / T_M2 [not_negative], "Inertia of all that slews about the slewing axis, with the load.", "[Ports001, 6.5]";
     M_GAMMA: "M_gamma" "M_gamma" N_M / KN_M, "Moment of the weights on the slope about the slewing axis; positive counter-clockwise, seen from above.", "virtual work";
+    P_WS: "p_ws" "p_\"ws\"" PA / PA, "Pressure of the wind on all that slews, with the sign of its speed.", "[Ports001, 5.5.4]";
+    M_WS: "M_ws" "M_\"ws\"" N_M / KN_M, "Moment of the wind on all that slews about the slewing axis, without the load; positive counter-clockwise, seen from above.", "[Ports001, 6.4]";
     M_ST: "M_st" "M_\"st\"" N_M / KN_M, "Moment that the drive must give to slew steadily counter-clockwise.", "[Ports001, 6.4]";
-    P_ST: "P_st" "P_\"st\"" W / KW, "Power of the drive while the crane slews steadily; negative where the slope drives it.", "derived";
+    P_ST: "P_st" "P_\"st\"" W / KW, "Power of the drive while the crane slews steadily; negative where slope or wind drives it.", "derived";
     F_N: "F_n" "F_n" N / KN [not_negative], "Horizontal force towards the axis that keeps the load on its circle.", "Newton and Euler";
     E_SL: "E_sl" "E_\"sl\"" J / KJ [not_negative], "Kinetic energy of slewing.", "Newton and Euler";
 
@@ -52,6 +56,7 @@ symbols! {
 
     // The whole range.
     M_GAMMA_MAX: "M_gamma_max" "M_(gamma,max)" N_M / KN_M, "Greatest moment of the slope in the working range, by amount.", "derived";
+    M_WS_MAX: "M_ws_max" "M_(\"ws\",max)" N_M / KN_M, "Greatest moment of the wind in the working range, by amount.", "derived";
     M_ST_MAX: "M_st_max" "M_(\"st\",max)" N_M / KN_M, "Greatest moment of steady slewing in the working range, by amount.", "derived";
     P_ST_MAX: "P_st_max" "P_(\"st\",max)" W / KW, "Greatest power of steady slewing in the working range, by amount.", "derived";
     AGREEMENT: "agreement" "delta" ONE / ONE, "Difference of two independent ways, relative to the largest value.", "derived";

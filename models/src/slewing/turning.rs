@@ -64,10 +64,10 @@ pub struct Steady<C> {
 results! { Steady as d => { M_ST: d.moment; P_ST: d.power; } }
 
 impl<C: Calc> Steady<C> {
-    /// M_st = c ω + M_F − M_γ, to the left. [Ports001, 6.4]
-    pub fn new(turning: &Turning<C>, tilt: Option<&C>, omega: &C) -> Steady<C> {
+    /// M_st = c ω + M_F − M_γ − M_ws, to the left. [Ports001, 6.4]
+    pub fn new(turning: &Turning<C>, outer: &Option<C>, omega: &C) -> Steady<C> {
         let friction = turning.c_sl * *omega + turning.m_f_sl;
-        let moment = tilt.map_or(friction, |tilt| friction - *tilt).def(&s::M_ST);
+        let moment = outer.map_or(friction, |outer| friction - outer).def(&s::M_ST);
         Steady {
             moment,
             power: (moment * *omega).def(&s::P_ST),

@@ -19,7 +19,7 @@ use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Values};
 use crate::kernel::sign::Sign;
 use crate::kernel::symbol::{Symbol, listed};
-use crate::parts::air::AIR;
+use crate::parts::air::AIR_OR_WIND;
 use crate::parts::turntable::{self as joint, Borne};
 use crate::parts::{hanging, slip};
 use crate::supports::drive::brake::Coupled;
@@ -44,7 +44,7 @@ const OWN: &[Key] = keys! { joint:
     ),
     Key::quantity(&s::L_R, Sign::Positive).optional(),
     Key::quantity(&hanging::PHI_R, Sign::Any).optional(),
-    AIR
+    AIR_OR_WIND
 };
 
 /// What is followed over a cycle of commands.
@@ -116,11 +116,17 @@ pub fn moves(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Moves> {
     Some(Moves)
 }
 
+/// Sum of the wind areas, and the distance of their centre from the slewing axis (m² and m), where there are any.
+fn areas(of: &mut dyn FnMut(&'static Symbol) -> Option<f64>) -> Option<[f64; 2]> {
+    let (sum, moment) = (of(&upper::A_SUM)?, of(&s::S_R)?);
+    Some([sum, if sum > 0.0 { moment / sum } else { 0.0 }])
+}
+
 /// Reads slewing in motion: its table, others of the scene, what the support gives, gravity (m/s²).
 pub type ReadBeside =
     fn(&Values, &[(&'static str, &Values)], &Borne, f64, &mut Vec<Diagnostic>) -> Option<Arc<dyn MovedBeside>>;
 
-/// Slewing in motion, by what a support and its drive come to: inertia, reach and load at the start, slope, the greatest friction
+/// Slewing in motion, by what a support and its drive come to: inertia, reach and load at the start, slope, wind areas where there is air, the greatest friction
 /// of the load case of heating over the whole range, and of the coupling the greatest moment of all load cases. Mistakes go to
 /// `found`.
 pub fn moved<T: Described>(
@@ -156,16 +162,24 @@ pub fn moved<T: Described>(
             .position(|variable| variable.symbol == symbol)?;
         model.get(index).ok()
     };
+    let reach = of(&upper::R)?;
+    if reach < 0.0 {
+        let what = format!("{} = {} beside [slewing]", upper::R.id, upper::R.written(reach));
+        let help = "give zero or more: a load behind the axis is one in front of it, with r_u and r_w turned round";
+        found.push(v.refuse(upper::R.id, what, "behind the slewing axis", help));
+        return None;
+    }
     let (weight, ahead) = (of(&upper::G_0)?, of(&upper::M_U)?);
     let arm = if weight > 0.0 { ahead / weight } else { 0.0 };
     let borne = Borne {
         inertia: of(&s::J_0)?,
         friction,
-        reach: (of(&upper::R)?, v.is_input(upper::R.id)),
+        reach: (reach, v.is_input(upper::R.id)),
         load: (of(&upper::Q)?, v.is_input(upper::Q.id)),
         slope: v.of(&upper::GAMMA).map(|steep| [steep, weight, arm]),
         side: of(&s::J_D)?,
         limit,
+        wind: own.has(AIR_OR_WIND.name).then(|| areas(&mut of)).flatten(),
         rope: (v.table("slewing_drive")).and_then(|drive| drive.of(&s::L_R)),
     };
     let tables = ["motion", DYNAMICS].map(|name| (name, v.table(name)));

@@ -11,11 +11,12 @@ use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Kind, Values};
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::Fault;
-use crate::parts::air::SWINGING;
+use crate::parts::air::{AIR_OR_WIND, AROUND, SWINGING};
 use crate::parts::motor::{CaseBrake, CaseHold};
 use crate::parts::starts::scene::{START, read};
 use crate::parts::starts::way::StartWay;
 use crate::parts::starts::{N_0, N_IDLE};
+use crate::parts::turntable::WIND_ON_SLEWED;
 use crate::supports::drive::given::{GearStage, GivenDrive, Moves, RingPinion, TurnedArea, TurningCase, TurningChoice};
 use crate::supports::drive::moving::{DYNAMICS, SLEWING, moves};
 use crate::supports::drive::symbols as s;
@@ -143,10 +144,12 @@ impl TurningScene {
     pub fn assumptions(&self) -> impl Iterator<Item = &'static str> {
         let sways = self.works.iter().any(|case| case.alpha > 0.0);
         let load = if sways { "turning_sway" } else { "turning_load" };
-        let moving = self
-            .slewing
-            .iter()
-            .flat_map(|slewing| std::iter::once("turning_moving").chain(slewing.assumptions()));
+        let moving = self.slewing.iter().flat_map(|slewing| {
+            let own = slewing.assumptions();
+            let still = !own.contains(&WIND_ON_SLEWED);
+            let calm = still.then_some("turning_calm");
+            std::iter::once("turning_moving").chain(calm).chain(own)
+        });
         self.drive
             .iter()
             .flat_map(move |_| ["turning_places", load])
@@ -183,7 +186,8 @@ impl TurningScene {
     pub fn unused(&self, level: &str) -> Vec<(&'static str, &'static [&'static str])> {
         match level {
             "swing" => Vec::new(),
-            "rigid" => vec![(SLEWING.name, &SWINGING)],
+            "rigid" if self.places.is_empty() => vec![(SLEWING.name, &SWINGING), (SLEWING.name, &[AIR_OR_WIND.name])],
+            "rigid" => vec![(SLEWING.name, &SWINGING), ("slewing.air", &AROUND)],
             _ => vec![(DYNAMICS, &[]), (SLEWING.name, &[])],
         }
     }
