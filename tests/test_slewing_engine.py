@@ -79,6 +79,10 @@ def limit(rope=0.0):
 
 
 M_LIM, M_F = limit(), friction()
+# Wind area of all that slews, and its centre in front of the axis.
+AREA = sum(area for area, _ in AREAS)
+AHEAD = sum(area * place for (area, _), place in zip(AREAS, PLACES)) / AREA
+EXPOSED = f'A_ws = "{AREA!r} m2"\nr_ws = "{AHEAD!r} m"\n'
 
 
 def built(folder, text, name):
@@ -140,13 +144,14 @@ SWINGING = ["psi_sl", "omega_sl", "omega_d", "psi_slip", "x_Q", "y_Q", "z_Q", "S
 
 @pytest.mark.parametrize("by_drive", [True, False])
 def test_a_load_that_swings_is_that_of_slewing_alone(tmp_path, by_drive):
-    """On the rope of the drive, on which it swings out in steady slewing too, or on one that slewing gives."""
+    """On the rope of the drive, on which it swings out in steady slewing too, or on one that slewing gives; in a wind that turns all that
+    slews, too."""
     air = '[slewing.air]\nQ_air = "5 t"\nd_Q = "120 N.s/m"\nc_wQ = "1.2"\nA_Q = "6 m2"\nv_air = "8 m/s"\nchi_air = "30 deg"\n'
     text = SCENE.read_text("utf-8").replace('fidelity = "rigid"\n', 'fidelity = "swing"\nphi_R = "2 deg"\n') + air
     rope = 'l_R = "18 m"\n'
     beside = text.replace("heating  = 1\n", "heating  = 1\n" + rope) if by_drive else text.replace('phi_R = "2 deg"\n', 'phi_R = "2 deg"\n' + rope)
     assert beside.count("l_R") == 1
-    paths = built(tmp_path, beside, "SlewingEngine"), built(tmp_path, by_itself(text, rope, limit(18.0 if by_drive else 0.0)), "ByHand")
+    paths = built(tmp_path, beside, "SlewingEngine"), built(tmp_path, by_itself(text, rope + EXPOSED, limit(18.0 if by_drive else 0.0)), "ByHand")
     for standard in ENDS:
         assert not validate_fmu(paths[0][standard])
         for kind in KINDS:

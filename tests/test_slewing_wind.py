@@ -108,19 +108,18 @@ def test_wind_and_a_drive_that_gives_the_same_are_one(tmp_path, kind):
 @pytest.mark.parametrize("fidelity", ["rigid", "swing"])
 def test_beside_a_support_the_areas_are_its_own(tmp_path, fidelity):
     """Area and place are the sum and the centre of those of the support; the motion is that of slewing alone with them."""
-    area, ahead = sum(a for a, _ in engine.AREAS), sum(a * r for (a, _), r in zip(engine.AREAS, engine.PLACES))
     air = '[slewing.air]\nv_air = "28 m/s"\nchi_air = "70 deg"\n'
     text = engine.SCENE.read_text("utf-8").replace('fidelity = "rigid"\n', f'fidelity = "{fidelity}"\n')
     rope = 'l_R = "18 m"\n' if fidelity == "swing" else ""
     beside = text.replace("c_sl  =", rope + "c_sl  =") + air
-    own = engine.by_itself(text, f'{rope}A_ws = "{area!r} m2"\nr_ws = "{ahead / area!r} m"\n') + air
+    own = engine.by_itself(text, rope + engine.EXPOSED) + air
     paths = [engine.built(tmp_path, told, name) for told, name in ((beside, "SlewingEngine"), (own, "ByHand"))]
     names = ["psi_sl", "omega_sl", "omega_d", "psi_slip", "M_ws"]
     for standard in ENDS:
         assert not validate_fmu(paths[0][standard])
         variables = {variable.name: variable for variable in read_model_description(paths[0][standard]).modelVariables}
-        assert float(variables["A_ws"].start) == pytest.approx(area, rel=1e-12)
-        assert float(variables["r_ws"].start) == pytest.approx(ahead / area, rel=1e-12)
+        assert float(variables["A_ws"].start) == pytest.approx(engine.AREA, rel=1e-12)
+        assert float(variables["r_ws"].start) == pytest.approx(engine.AHEAD, rel=1e-12)
         for kind in KINDS:
             one, other = (simulate_fmu(of[standard], fmi_type=kind, stop_time=28.0, output_interval=0.25, relative_tolerance=1e-10, output=names,
                                        record_events=False) for of in paths)
