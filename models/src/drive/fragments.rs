@@ -33,7 +33,8 @@ macro_rules! taut_rope {
                 return Ok(());
             }
             let angle = known.given.$angle;
-            known.hauling()?.holds(&angle)
+            let slack = known.given.fitted.hauled;
+            known.hauling()?.holds(&angle, slack)
         }
     };
 }

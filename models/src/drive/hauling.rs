@@ -44,14 +44,16 @@ pub fn hauling<C: Calc, F: Pushes<C>>(gear: &Gear<C>, forces: &F) -> Found<Hauli
 }
 
 impl Hauling<f64> {
-    /// Whether it pulls, at an angle (rad).
+    /// Whether it pulls, at an angle (rad), or may go `slack`.
     ///
     /// # Errors
     /// A rope that would have to push.
-    pub fn holds(&self, angle: &One<f64>) -> Found<()> {
+    pub fn holds(&self, angle: &One<f64>, slack: bool) -> Found<()> {
         let [pull, ..] = self.0;
+        let pull = if slack { pull.max(0.0) } else { pull };
         push(angle, pull).map_or(Ok(()), |what| {
-            let help = "this motion ends there: drive, brake and stop more gently";
+            let help = "this motion ends there: drive, brake and stop more gently, or give the inertia of its drum by [cases.motor], \
+                        with which it goes slack";
             Err(Box::new(Fault::outside(format!("{what}; {help}"))))
         })
     }

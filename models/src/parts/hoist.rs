@@ -222,14 +222,7 @@ impl Drum {
     /// that changed at once.
     pub(crate) fn decided(self, hoist: &Hoist, before: f64, command: &HoistCommand) -> (Drum, f64, f64) {
         if let Winch::Motor(_) = hoist.winch {
-            let (way, rate) = match self.way {
-                Bar::Forward if before < 0.0 => (Bar::Held, 0.0),
-                Bar::Backward if before > 0.0 => (Bar::Held, 0.0),
-                // Set in motion from outside, or at rest: it is decided again which way it goes.
-                _ if before > 0.0 => (Bar::Forward, before),
-                _ if before < 0.0 => (Bar::Backward, before),
-                _ => (Bar::Held, before),
-            };
+            let (way, rate) = self.way.turned(before);
             return (Drum { way, command: 0.0 }, rate, 0.0);
         }
         let (mut rate, command, at_once) = (before, command.speed, matches!(hoist.winch, Winch::AtOnce));

@@ -22,6 +22,18 @@ impl Bar {
         }
     }
 
+    /// At an instant at which it has a rate, and its rate then: what has turned round is at rest, what was set in motion from
+    /// outside moves, and of what is at rest it is decided again which way it goes.
+    pub(crate) fn turned(self, rate: f64) -> (Bar, f64) {
+        match self {
+            Bar::Forward if rate < 0.0 => (Bar::Held, 0.0),
+            Bar::Backward if rate > 0.0 => (Bar::Held, 0.0),
+            _ if rate > 0.0 => (Bar::Forward, rate),
+            _ if rate < 0.0 => (Bar::Backward, rate),
+            _ => (Bar::Held, rate),
+        }
+    }
+
     /// Held by moments or forces from `least` to `most` where it needs `hold`: whether it breaks loose, and where to.
     pub(crate) fn loosened([hold, least, most]: [f64; 3]) -> Bar {
         if hold > most {

@@ -2,7 +2,10 @@
 
 #![allow(dead_code, reason = "each test asks what it needs")]
 
+use std::f64::consts::TAU;
+
 use lemnis_models::component::model::Model;
+use lemnis_models::kernel::calc::Calc;
 use lemnis_models::scene::Scene;
 
 const DOUBLE_LINK: &str = include_str!("../../scenes/portal_004_new.toml");
@@ -108,4 +111,79 @@ pub fn index(model: &Model, name: &str) -> usize {
 
 pub fn close(found: f64, expected: f64, part: f64) -> bool {
     (found - expected).abs() <= part * expected.abs()
+}
+
+/// Of the motor's shaft: inertia (kg·m²), and travel of the tackle in one turn (m).
+pub const SHAFT: [f64; 2] = [0.7, 0.012];
+pub const MOTOR: &str = "[cases]\n[[cases.case]]\nname = \"I\"\nk_Q = \"1\"\nalpha_s = \"0 deg\"\nv_s = \"-50 mm/s\"\n[cases.motor]\nP_N = \"450 kW\"\n\
+     n_N = \"970 1/min\"\nlambda_M = \"2.5\"\nk_a = \"1.7\"\nJ_M = \"0.7 kg.m2\"\nl_M = \"12 mm\"\neta_M = \"0.85\"\n\
+     heating = \"I\"\n";
+
+/// Bodies of a mechanism.
+pub fn bodies(system: &System) -> &'static [&'static str] {
+    match system.rate {
+        "omega_1" => &["boom", "jib", "rocker"],
+        _ if system.sense < 0.0 => &["boom", "link"],
+        _ => &["boom", "trunk"],
+    }
+}
+
+/// With anchors from which a rope pulls all over the working range, without a balance: the weights let the boom of the
+/// ellipsograph down where its angle grows.
+pub fn systems() -> [System; 3] {
+    SYSTEMS.map(|system| match system.sense < 0.0 {
+        true => System {
+            e: [8.0, 2.0],
+            ..system
+        },
+        false => system,
+    })
+}
+
+pub fn inertias(system: &System) -> &'static str {
+    match system.rate {
+        "omega_1" => "J_1 = \"951600 kg.m2\"\nJ_2 = \"201200 kg.m2\"\nJ_3 = \"114500 kg.m2\"",
+        _ if system.sense < 0.0 => "J_b = \"900000 kg.m2\"\nJ_l = \"90000 kg.m2\"",
+        _ => "J_b = \"500000 kg.m2\"\nJ_t = \"180000 kg.m2\"",
+    }
+}
+
+/// Without a balance on a rope: at a level, on a motor's shaft or on none.
+pub fn hung(system: &System, level: &str, motor: &str) -> String {
+    let text = system.driven("rope");
+    let balance = text.find("[luffing.balance]").expect("there");
+    let rope = if level == "swing" { "l_R = \"15 m\"\n" } else { "" };
+    let dynamics = match level {
+        "static" => String::new(),
+        _ => format!("[luffing.dynamics]\n{}\nstep = \"2 ms\"\n{rope}", inertias(system)),
+    };
+    let body = |name: &&str| format!("[[cases.body]]\non = \"{name}\"\nJ_s = \"0 kg.m2\"\n");
+    let bodies: String = bodies(system).iter().filter(|_| !motor.is_empty()).map(body).collect();
+    let text = format!("{}{dynamics}\n{motor}{bodies}", &text[..balance]);
+    text.replacen("[luffing]\n", &format!("[luffing]\nfidelity = \"{level}\"\n"), 1)
+}
+
+pub fn get<const N: usize>(model: &mut Model, names: [&str; N]) -> [f64; N] {
+    names.map(|name| {
+        let index = index(model, name);
+        model.get(index).unwrap_or_else(|fault| panic!("{name}: {fault:?}"))
+    })
+}
+
+pub fn put(model: &mut Model, values: &[(&str, f64)]) {
+    for (name, value) in values {
+        let index = index(model, name);
+        model.set(index, *value).expect("allowed");
+    }
+}
+
+/// The shaft's turn for one radian of the coordinate, and its change: L² is linear in the link's direction.
+pub fn turning(system: &System, at: f64) -> [f64; 2] {
+    let (sin, cos) = Calc::sin_cos(system.sense * at);
+    let ([x, y], s) = (system.e, system.s_d);
+    let long = (s * s + x * x + y * y - 2.0 * s * (x * cos + y * sin)).sqrt();
+    let half = system.sense * s * (x * sin - y * cos);
+    let first = half / long;
+    let second = (s * (x * cos + y * sin) - first * first) / long;
+    [first, second].map(|travel| travel * TAU / SHAFT[1])
 }

@@ -59,7 +59,7 @@ mod s {
     pub use crate::balance::symbols::{F_KX, F_KY, F_MX, F_MY, N_1};
     pub use crate::drive::symbols::{F_D, L_D, Q_D, S_LM, S_LM_IN, S_LM_OUT, T_CR, V_D};
     pub use crate::luffing::curved_trunk::symbols::*;
-    pub use crate::luffing::moving::symbols::{F_AIR, H_G, M_R, M_R_H, M_SLOPE, M_WIND, N_G, P_AIR, S_R, W_BLOW};
+    pub use crate::luffing::moving::symbols::{F_AIR, H_G, M_R, M_R_H, N_G, P_AIR, S_R, W_BLOW};
     pub use crate::luffing::resistances::symbols::F_R;
     pub use crate::luffing::strength::symbols::{P_C, U_K};
 }
@@ -142,7 +142,7 @@ taut_rope!(pulls by phi);
 resists!(CurvedTrunkBoom with resisting::PARTS);
 
 said! { CurvedTrunkBoom: Said {
-    bar: [&[&b::PHI, &s::OMEGA], &rates_after::<28>(Trunked::RATES)],
+    bar: [&[&b::PHI, &s::OMEGA], &rates_after::<30>(Trunked::RATES)],
     still: &[t::ALL, b::ALL, crate::drive::symbols::ALL],
     moving: listed!(s: M_D, P_D, N_T, Q_T, P_T, F_BX, F_BY, F_O1X, F_O1Y, F_D, N_1, F_KX, F_KY, F_MX, F_MY, S_LM, S_LM_OUT, S_LM_IN),
     drive: Some(&s::M_D),
@@ -152,7 +152,7 @@ said! { CurvedTrunkBoom: Said {
 impl Component for CurvedTrunkBoom {
     luffing_component!(position);
 
-    const INDICATORS: &'static [&'static Symbol] = &joined::<_, 35, 2, 37>(ALL_INDICATORS, [&s::Z_TIE, &Z_PULL]);
+    const INDICATORS: &'static [&'static Symbol] = &joined::<_, 38, 2, 40>(ALL_INDICATORS, [&s::Z_TIE, &Z_PULL]);
 
     const WHOLE: &'static [Whole] = &joined::<_, 5, 4, 9>(
         [

@@ -192,7 +192,7 @@ impl Component for DoubleLink {
         drive "Cylinder, rack, screw, sector, crank or rope between frame and driving link.": s L_D, v V_D, f F_D, q Q_D;
     };
 
-    const INDICATORS: &'static [&'static Symbol] = &joined::<_, 35, 1, 36>(ALL_INDICATORS, [&Z_PULL]);
+    const INDICATORS: &'static [&'static Symbol] = &joined::<_, 38, 1, 39>(ALL_INDICATORS, [&Z_PULL]);
 
     fn has(given: &Given<f64>, symbol: &'static Symbol) -> bool {
         let own = match given.choice.driven {

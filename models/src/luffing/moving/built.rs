@@ -12,9 +12,9 @@ use crate::luffing::moving::given::{Constants, Fitted};
 use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::hydraulic::{Crane, Hydraulic};
 use crate::luffing::moving::level::Level;
-use crate::luffing::moving::motion::MovingLinkage;
+use crate::luffing::moving::motion::{HauledLinkage, MovingLinkage};
 use crate::luffing::moving::reduced::Renewed;
-use crate::luffing::moving::space::Slewing;
+use crate::luffing::moving::space::{HauledSlewing, Slewing};
 use crate::luffing::moving::symbols as m;
 use crate::luffing::moving::weather::Exposes;
 use crate::luffing::resistances::placed::Placing;
@@ -154,6 +154,9 @@ impl<P: Coordinate<P>> LevelParts<P> {
             if let Some(geared) = fittings.geared {
                 dynamics = dynamics.by_motor(geared);
             }
+            if fitted.hauled {
+                return hauled(dynamics, luffing, slewing);
+            }
             return match crane(dynamics, luffing, slewing) {
                 Crane::Plane(motion) => Level::Free(motion),
                 Crane::Slewing(slewing) => Level::Slewing(slewing),
@@ -184,6 +187,21 @@ fn crane<P: Copy>(dynamics: Dynamics<P>, luffing: Joint<P>, slewing: Option<Join
             joints: [luffing],
         }),
         Some(slewing) => Crane::Slewing(Slewing {
+            dynamics,
+            joints: [luffing, slewing],
+        }),
+    }
+}
+
+/// The same where the rope of its drive may go slack.
+#[inline(never)]
+fn hauled<P: Copy>(dynamics: Dynamics<P>, luffing: Joint<P>, slewing: Option<Joint<P>>) -> Level<P> {
+    match slewing {
+        None => Level::Hauled(HauledLinkage {
+            dynamics,
+            joints: [luffing],
+        }),
+        Some(slewing) => Level::HauledSlewing(HauledSlewing {
             dynamics,
             joints: [luffing, slewing],
         }),

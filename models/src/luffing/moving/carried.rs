@@ -15,7 +15,7 @@ use crate::luffing::moving::control::ByAxis;
 use crate::luffing::moving::control::continuous::Laws;
 use crate::luffing::moving::control::holding::holding;
 use crate::luffing::moving::crane::REELED_IN;
-use crate::luffing::moving::given::{CraneStates, Inputs, L_R, S_Q, STATES, V_R, order};
+use crate::luffing::moving::given::{CraneStates, DELTA_L, Inputs, L_R, S_Q, STATES, V_R, V_TL, order};
 use crate::luffing::moving::level::{Ahead, CraneAt, Onward};
 use crate::luffing::moving::luffs::{LuffingGiven, Luffs, MotionSources};
 use crate::luffing::moving::regulated::Regulators;
@@ -72,7 +72,7 @@ fn whole<T: Luffs>(model: &mut Standing) -> Result<(), Fault> {
 pub(crate) fn put<T: Luffs>(model: &mut Standing, CraneAt { past, y, .. }: &CraneAt) {
     let fitted = given::<T>(model).sources.fitted;
     let mut states = CraneStates([0.0; STATES.len()]);
-    for (y, place) in y[2..].iter().zip(order(fitted.oil, fitted.slewing.is_some())) {
+    for (y, place) in y[2..].iter().zip(order(&fitted)) {
         states.0[*place] = *y;
     }
     T::put_now(known::<T>(model), [y[0], y[1]], states, *past);
@@ -336,6 +336,7 @@ impl<T: Luffs> Carrier for CarriedCrane<T> {
         let mut at = at::<T>(model);
         (at.y[0], at.y[1]) = (value, model.motion().speed);
         (at.past.joints[0], at.past.grounded, at.past.braking) = (Bar::Forward, false, Braking::LIFTED);
+        at.wind_up(&given::<T>(model).sources.fitted);
         put::<T>(model, &at);
         if let Some(begun) = self.begun {
             T::put_laws(known::<T>(model), begun);
@@ -399,6 +400,9 @@ impl<T: Luffs> Carrier for CarriedCrane<T> {
                 past.joints[1] = Bar::Held;
             } else if symbol == &m::V_R && now.motor.is_some() {
                 past.drum = Drum::at(0.0);
+            } else if [&m::DELTA_L, &m::V_TL].contains(&symbol) {
+                let slack = [DELTA_L, V_TL].iter().any(|state| states.0[*state] != 0.0);
+                past.unwound = slack.then_some(Bar::Held);
             }
             T::put_past(known::<T>(model), states, past);
         }

@@ -12,7 +12,7 @@ use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
 use crate::luffing::moving::reduced::Reduced;
 use crate::luffing::moving::symbols as s;
 use crate::parts::ground::Raised;
-use crate::parts::hoist::{Drum, Elastic, Hoist, HoistCommand, HoistPowers, RopeAction};
+use crate::parts::hoist::{Drum, Elastic, Hoist, HoistCommand, RopeAction};
 use crate::parts::joint::{Arrival, Bar, Joint, JointDrive, LOOSE, above_zero};
 use crate::parts::plane::Point;
 use crate::parts::solver::{Halt, finite};
@@ -59,6 +59,8 @@ pub struct CraneState<const N: usize, const J: usize> {
     pub grounded: bool,
     /// Where the rope that drives luffing is slack: the angle (rad) at which it is taut again.
     pub slack: Option<f64>,
+    /// Where the rope of its drive is slack: what the drum does that it is on, which pays out forward.
+    pub unwound: Option<Bar>,
     /// Energy that blows have taken so far, in J; what they gave counts negative.
     pub blown: f64,
 }
@@ -74,6 +76,7 @@ impl<const N: usize, const J: usize> CraneState<N, J> {
             taut: true,
             grounded: false,
             slack: None,
+            unwound: None,
             blown: 0.0,
         }
     }
@@ -89,7 +92,7 @@ impl<const N: usize, const J: usize> CraneState<N, J> {
     }
 }
 
-/// A mechanism that moves by J joints, luffing first, with N states.
+/// A mechanism that moves by J joints, luffing first, with N states: its own, and those of a drum.
 #[derive(Clone)]
 pub struct MovingCrane<const N: usize, const J: usize, P = f64> {
     pub dynamics: Dynamics<P>,
@@ -98,14 +101,17 @@ pub struct MovingCrane<const N: usize, const J: usize, P = f64> {
 
 /// Length of a rope, in m, of which nothing is left.
 pub(crate) const REELED_IN: f64 = 1e-4;
-/// Part of an energy that rounding may be.
-const ROUNDING: f64 = 1e-14;
 /// Rounding of a place, over its size, that an event leaves as it is.
 pub(crate) const FEW: f64 = 16.0 * f64::EPSILON;
 /// Changes at one instant.
 pub(crate) const MOST_CHANGES: u32 = 16;
-/// Most event indicators: four for each of two joints, that of the rope, two of the hoist, and that of the ground.
-pub const MOST_INDICATORS: usize = 12;
+/// States of a drum behind those of the crane: slack, and speed.
+pub const DRUM: usize = 2;
+/// Event indicators of a drive's rope: it becomes slack or taut, the drum of a slack one comes to rest or (two) breaks loose.
+pub(super) const HAULING_ENDS: usize = 3;
+/// Most event indicators: four for each of two joints, that of the rope, two of the hoist, that of the ground, and those of a
+/// drive's rope.
+pub const MOST_INDICATORS: usize = 12 + HAULING_ENDS;
 
 /// A crane over any scalar: how it moves between events, what the mechanism is at its angle, states and commands.
 #[derive(Clone, Copy, Debug)]
@@ -118,6 +124,10 @@ pub struct Snapshot<'a, const N: usize, const J: usize, C> {
 
 /// How the load hangs and moves, between events.
 pub trait Hangs<const N: usize, const J: usize, P: Calc> {
+    /// How many states there are of a crane whose drive has no rope that goes slack: the last one is the rate at which the load's
+    /// rope is paid out.
+    const OWN: usize;
+
     /// Which of the states is the rope's length.
     const LENGTH: usize;
 
@@ -160,6 +170,10 @@ pub trait Struck<const N: usize, const J: usize>: Hangs<N, J, f64> {
     /// The linkage does not close.
     fn wound(&self, state: &mut CraneState<N, J>, before: f64, jump: f64) -> Result<(), Halt>;
 
+    /// The rope of the drive is caught: luffing, which is free, gives way to an impulse `way` round, by one over its inertia with
+    /// what hangs on it (kg·m²), of which `give` makes the change of its rate (rad/s).
+    fn hauled(&self, state: &mut CraneState<N, J>, r: &Reduced<f64>, give: impl FnOnce(f64) -> f64, way: f64);
+
     /// Joint `i` stops at once; the load goes on.
     fn stopped(&self, i: usize, state: &mut CraneState<N, J>, r: &Reduced<f64>);
 
@@ -192,7 +206,7 @@ where
             None => RopeAction::Slack,
             Some(hoist) => match &hoist.rope {
                 None => RopeAction::Taut {
-                    rate: at.y[N - 1],
+                    rate: at.y[Self::OWN - 1],
                     gain: at.state.drum.ramp(hoist),
                     drum: at.state.drum.turning(hoist, &at.commands.hoist),
                 },
@@ -205,7 +219,7 @@ where
     fn stretched<C: Coordinate<P>>(rope: &Elastic<P>, r: &Reduced<C>, y: &[C; N]) -> [C; 2] {
         let [distance, speed] = Self::reach(y);
         let stretch = (distance - y[Self::LENGTH]).def(&s::DELTA_R);
-        let rate = speed - r.paid(y[N - 1], y[1]);
+        let rate = speed - r.paid(y[Self::OWN - 1], y[1]);
         let [spring, damping] = rope.forces(stretch, rate.def(&s::D_DELTA_R));
         [spring, spring + damping.def(&s::S_RD)]
     }
@@ -222,7 +236,7 @@ where
         if self.is_reeled_in(y) {
             return None;
         }
-        let r = &C::reduced(&self.dynamics, y[0])?;
+        let r = &self.reduced(state, y[0])?;
         Some(self.rates_at(&Snapshot { state, r, y, commands }))
     }
 
@@ -242,8 +256,11 @@ where
                 false => C::constant(0.0),
             };
             if let Some(gain) = at.state.drum.gain(hoist, &at.commands.hoist, rope) {
-                out[N - 1] = gain.def(&s::D_V_R);
+                out[Self::OWN - 1] = gain.def(&s::D_V_R);
             }
+        }
+        if let Some(drum) = self.unwinding(at) {
+            out[Self::OWN..].copy_from_slice(&drum);
         }
         out
     }
@@ -252,7 +269,7 @@ where
     /// greatest that they can.
     fn held<C: Coordinate<P>>(&self, i: usize, at: &Snapshot<N, J, C>) -> [C; 3] {
         let hold = self.needs(i, at);
-        let [rising, falling] = self.drives(i, at.state, at.commands, at.r.shaft.as_ref());
+        let [rising, falling] = self.drives(i, at.state, at.commands, at.r.geared());
         let holds = |drive| self.joints[i].over().holds(at.y[2 * i], drive);
         [hold, holds(&rising)[0], holds(&falling)[1]]
     }
@@ -273,7 +290,7 @@ where
         commands: &Commands<J, C>,
         y: &[C; N],
     ) -> Option<C> {
-        let r = &C::reduced(&self.dynamics, y[0])?;
+        let r = &self.reduced(state, y[0])?;
         Some(self.tension(&Snapshot { state, r, y, commands }))
     }
 
@@ -286,7 +303,7 @@ where
         commands: &Commands<J, C>,
         y: &[C; N],
     ) -> Option<C> {
-        let r = &C::reduced(&self.dynamics, y[0])?;
+        let r = &self.reduced(state, y[0])?;
         Some(self.friction_at(i, &Snapshot { state, r, y, commands }))
     }
 
@@ -300,13 +317,13 @@ where
                 resistance.def([&s::M_R, &s::M_R_SL][i])
             }
         };
-        let more = drive.less_than_asked(&at.commands.drives[i]);
+        let more = self.kept_back(&drive, &at.commands.drives[i]);
         more.map_or(resistance, |more| resistance + more)
     }
 
     /// Numbers whose fall below zero ends a smooth piece: each joint comes to rest or (two) breaks loose, meets its lower or
     /// its upper stop; the rope becomes slack or taut; the hoist runs as commanded, or comes to rest or (two) breaks loose;
-    /// the load touches the ground or is lifted.
+    /// the load touches the ground or is lifted; the drive's rope becomes slack or taut, its drum rests or (two) breaks loose.
     /// After an event all are above zero.
     #[must_use]
     pub fn indicators<C: Coordinate<P>>(
@@ -315,7 +332,7 @@ where
         commands: &Commands<J, C>,
         y: &[C; N],
     ) -> Option<[C; MOST_INDICATORS]> {
-        let r = &C::reduced(&self.dynamics, y[0])?;
+        let r = &self.reduced(state, y[0])?;
         Some(self.indicators_at(&Snapshot { state, r, y, commands }))
     }
 
@@ -334,11 +351,14 @@ where
         }
         if let Some(hoist) = self.hoist() {
             out[4 * J] = self.slackening(hoist, at);
-            let reaching = (state.drum).reaching(hoist, &commands.hoist, y[N - 1], || self.tension(at));
+            let reaching = (state.drum).reaching(hoist, &commands.hoist, y[Self::OWN - 1], || self.tension(at));
             out[4 * J + 1..4 * J + 3].copy_from_slice(&reaching);
         }
         if let Some(ground) = self.dynamics.ground() {
             out[4 * J + 3] = self.grounding(ground, at);
+        }
+        if let Some(ends) = Self::HAULED.then(|| self.hauling_ends(at)).flatten() {
+            out[4 * J + 4..4 * J + 4 + HAULING_ENDS].copy_from_slice(&ends);
         }
         out.map(above_zero)
     }
@@ -383,11 +403,16 @@ where
             }
         }
         self.wind(state, commands)?;
+        Self::turn_drum(state);
         for _ in 0..MOST_CHANGES {
             let before = *state;
-            let r = f64::reduced(&self.dynamics, state.y[0]).ok_or(Halt::Outside)?;
+            let mut r = self.reduced(state, state.y[0]).ok_or(Halt::Outside)?;
             for i in 0..J {
                 self.stop_joint(i, state, &r);
+            }
+            if Self::HAULED {
+                self.haul(state, commands)?;
+                r = self.reduced(state, state.y[0]).ok_or(Halt::Outside)?;
             }
             if self.dynamics.is_pulled() {
                 state.tighten(&commands.drives[0]);
@@ -403,6 +428,7 @@ where
                     state.joints[i] = Bar::loosened(self.held(i, &state.at(&r, commands)));
                 }
             }
+            self.loosen_drum(state, &r, commands);
             if let Some(hoist) = self.hoist() {
                 let rope = || self.tension(&state.at(&r, commands));
                 let mut drum = state.drum;
@@ -417,8 +443,9 @@ where
         if !finite(&state.y) {
             return Err(Halt::Outside);
         }
-        if Self::jumped(&first, state) || first.grounded != state.grounded {
-            state.blown += lost(self.energy(&first).zip(self.energy(state)));
+        let caught = first.unwound.is_some() && state.unwound.is_none();
+        if Self::jumped(&first, state) || caught || first.grounded != state.grounded {
+            state.blown += self.lost(&first, state);
         }
         Ok(*state != first)
     }
@@ -428,9 +455,9 @@ where
         let Some(hoist) = self.hoist() else {
             return Ok(());
         };
-        let before = state.y[N - 1];
+        let before = state.y[Self::OWN - 1];
         let (drum, rate, jump) = state.drum.decided(hoist, before, &commands.hoist);
-        (state.drum, state.y[N - 1]) = (drum, rate);
+        (state.drum, state.y[Self::OWN - 1]) = (drum, rate);
         if self.is_kept(state) && jump != 0.0 {
             self.wound(state, before, jump)?;
         }
@@ -446,6 +473,13 @@ where
             Arrival::Rest { at_stop } => {
                 state.joints[i] = Bar::Held;
                 if at_stop {
+                    // A drum that pays out runs on.
+                    let shaft = r
+                        .geared()
+                        .filter(|shaft| Self::HAULED && i == 0 && shaft.ratio * at[1] > 0.0);
+                    if let Some(shaft) = shaft {
+                        Self::let_go(state, shaft);
+                    }
                     let [low, high] = joint.stops;
                     state.y[2 * i] = at[0].clamp(low, high);
                     self.stopped(i, state, r);
@@ -454,45 +488,4 @@ where
             }
         }
     }
-
-    /// Kinetic and potential energy, in J; `None` where the linkage does not close.
-    #[must_use]
-    pub fn energy(&self, state: &CraneState<N, J>) -> Option<f64> {
-        let (r, y) = (f64::reduced(&self.dynamics, state.y[0])?, &state.y);
-        let inertias = [r.inertia, r.turn[0]];
-        let moving: f64 = (0..J).map(|i| inertias[i] * y[2 * i + 1] * y[2 * i + 1]).sum();
-        let bars = 0.5 * moving + r.energy;
-        let Some(pendulum) = self.dynamics.pendulum() else {
-            return Some(bars);
-        };
-        let (place, speed) = self.place_and_speed(state, &r);
-        let load = pendulum.mass * (0.5 * speed + self.dynamics.potential(place));
-        let stretch = Self::reach(y)[0] - y[Self::LENGTH];
-        Some(bars + load + pendulum.hoist.energy(y[N - 1], stretch))
-    }
-
-    /// What the hoist gives and takes; `None` where the linkage does not close.
-    pub(crate) fn hoist_powers(&self, state: &CraneState<N, J>, commands: &Commands<J>) -> Option<HoistPowers> {
-        let Some(hoist) = self.hoist() else {
-            return Some(HoistPowers::default());
-        };
-        let rope = self.rope_force(state, commands, &state.y)?;
-        let (y, [distance, speed]) = (&state.y, Self::reach(&state.y));
-        let r = f64::reduced(&self.dynamics, y[0])?;
-        let stretch = [distance - y[Self::LENGTH], speed - r.paid(y[N - 1], y[1])];
-        Some(hoist.powers(state.drum, &commands.hoist, y[N - 1], stretch, rope))
-    }
-}
-
-/// What a blow takes (J), from the energy before and after it: nothing where that is rounding.
-fn lost(energies: Option<(f64, f64)>) -> f64 {
-    let blow = |(before, after): (f64, f64)| {
-        let lost = before - after;
-        if lost.abs() > ROUNDING * (before.abs() + after.abs()) {
-            lost
-        } else {
-            0.0
-        }
-    };
-    energies.map_or(0.0, blow)
 }

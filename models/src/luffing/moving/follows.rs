@@ -12,7 +12,8 @@ use crate::kernel::variable::{Name, Quantity, Role, TIME};
 use crate::luffing::moving::brakes::Braking;
 use crate::luffing::moving::carried::{at, known, put, regulators};
 use crate::luffing::moving::control::continuous::Laws;
-use crate::luffing::moving::given::L_R;
+use crate::luffing::moving::crane::DRUM;
+use crate::luffing::moving::given::{L_R, order};
 use crate::luffing::moving::hydraulic::{FIXED, Modes};
 use crate::luffing::moving::level::CraneAt;
 use crate::luffing::moving::luffs::{LuffingGiven, Luffs, MotionSources};
@@ -28,6 +29,10 @@ const TRACE: f64 = 1e-6;
 const WAYS: [Bar; 3] = [Bar::Held, Bar::Forward, Bar::Backward];
 /// Every way in which a load hangs, whether the rope is taut and what its drum does; the first one is that of none.
 const HANGS: [(bool, Bar); 3] = [(true, Bar::Held), (true, Bar::Forward), (false, Bar::Held)];
+
+/// Of lively states one in so many has other regimes of controllers too, or a slack rope of its drive: as it has no divisor in
+/// common with the ways of moving, every one of these is among them.
+const OTHERS_EACH: usize = 7;
 
 /// States with no number that is special, in all ways of moving: over the range of the angle and beyond its ends, relief
 /// valves open and closed.
@@ -75,6 +80,7 @@ fn lively(luffing: &LuffingGiven, now: &CraneAt) -> Vec<CraneAt> {
                                 taut,
                                 grounded,
                                 slack: None,
+                                unwound: None,
                                 blown: 0.0,
                                 braking: Braking::ON,
                             };
@@ -85,12 +91,23 @@ fn lively(luffing: &LuffingGiven, now: &CraneAt) -> Vec<CraneAt> {
             }
         }
     }
+    if given.fitted.hauled {
+        // Behind angle and rate, the last two.
+        let drum = order(&given.fitted).len();
+        let slack = found.iter().step_by(OTHERS_EACH).flat_map(|at| {
+            WAYS.map(|way| {
+                let mut at = *at;
+                let speed = 0.241_f64.copysign(at.y[1]);
+                at.y[drum..drum + DRUM].copy_from_slice(&[0.137, speed]);
+                at.past.unwound = Some(way);
+                at
+            })
+        });
+        let slack: Vec<CraneAt> = slack.collect();
+        found.extend(slack);
+    }
     found
 }
-
-/// Of lively states one in so many has other regimes of controllers too: as it has no divisor in common with the ways of moving,
-/// every one of these is among them.
-const REGIMES_EACH: usize = 7;
 
 /// What controllers that are not sampled may do besides having set points at rest and moments within their limits: set points on
 /// their way, and all that the limit does with the integral.
@@ -168,7 +185,7 @@ pub fn follows<T: Luffs>(model: &MovingComponent) -> Vec<BTreeSet<Name>> {
     let all = lively(&luffing, &now);
     let within = all.iter().map(|at| (at, laws));
     let others = laws.into_iter().flat_map(regimes);
-    let others = others.flat_map(|laws| all.iter().step_by(REGIMES_EACH).map(move |at| (at, Some(laws))));
+    let others = others.flat_map(|laws| all.iter().step_by(OTHERS_EACH).map(move |at| (at, Some(laws))));
     let mut groups = alike(&moving, &givens, &found);
     let mut tangent = lively_model.tangent(&|_| 0.0);
     for (at, laws) in within.chain(others) {

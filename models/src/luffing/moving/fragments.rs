@@ -146,7 +146,7 @@ macro_rules! surrounded {
                 $crate::luffing::moving::stages::drag(built, told, at, $phi, around[!]) => [F_AIR, P_AIR];
             standing: $crate::parts::plane::Point<C> =
                 $crate::luffing::moving::stages::standing(built, told, at, $phi, ground[!]) => [N_G, H_G];
-            outside: $crate::parts::plane::Point<C> = $crate::luffing::moving::stages::outside(built, told, at, $phi) => [M_WIND, M_SLOPE];
+            acted: $crate::luffing::moving::stages::BarActed<C> = $crate::luffing::moving::stages::acted(built, told, at, $phi);
             blown: C = $crate::luffing::moving::stages::blown(at) => W_BLOW;
         } $($to)* }
     };

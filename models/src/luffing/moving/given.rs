@@ -152,23 +152,29 @@ impl Inputs {
 #[derive(Clone, Copy, Debug)]
 pub struct CraneStates<C>(pub [C; STATES.len()]);
 
-/// Their symbols: of the oil, of slewing and the load in space, of the load in the plane, of the rope.
-pub const STATES: [&Symbol; 20] = *listed!(
-    s: P_1, P_2, P_A, P_B, X_V, V_V, PSI_SL, OMEGA_SL, X_Q, Y_Q, Z_Q, V_QX, V_QY, V_QZ, PHI_R, OMEGA_R, L_R, S_Q, V_Q, V_R
+/// Their symbols: of the oil, of slewing and the load in space, of the load in the plane, of the rope, of the drive's slack
+/// rope.
+pub const STATES: [&Symbol; 22] = *listed!(
+    s: P_1, P_2, P_A, P_B, X_V, V_V, PSI_SL, OMEGA_SL, X_Q, Y_Q, Z_Q, V_QX, V_QY, V_QZ, PHI_R, OMEGA_R, L_R, S_Q, V_Q, V_R,
+    DELTA_L, V_TL
 );
 
-/// Places of slewing's angle and rate, of the rope's length, of the load's distance, and of the rate at which the rope is paid
-/// out.
+/// Places of slewing's angle and rate, of the rope's length, of the load's distance, of the rate at which the rope is paid out,
+/// and of slack and speed of the drive's rope.
 pub const PSI_SL: usize = 6;
 pub const OMEGA_SL: usize = 7;
 pub const L_R: usize = 16;
 pub const S_Q: usize = 17;
 pub const V_R: usize = 19;
+pub const DELTA_L: usize = 20;
+pub const V_TL: usize = 21;
 
 /// Which of them follow on angle and rate of the driven bar, in the order of the equations.
 #[must_use]
-pub fn order(oil: bool, slews: bool) -> &'static [usize] {
-    match (oil, slews) {
+pub fn order(fitted: &Fitted) -> &'static [usize] {
+    match (fitted.oil, fitted.slewing.is_some()) {
+        (false, false) if fitted.hauled => &[14, 15, 16, 17, 18, 19, DELTA_L, V_TL],
+        (false, true) if fitted.hauled => &[6, 7, 8, 9, 10, 11, 12, 13, 16, 19, DELTA_L, V_TL],
         (false, false) => &[14, 15, 16, 17, 18, 19],
         (false, true) => &[6, 7, 8, 9, 10, 11, 12, 13, 16, 19],
         (true, false) => &[0, 1, 2, 3, 4, 5, 14, 15, 16, 17, 18, 19],
@@ -179,7 +185,7 @@ pub fn order(oil: bool, slews: bool) -> &'static [usize] {
 /// Where in the order of the equations the speeds of luffing, slewing and hoist are.
 #[must_use]
 pub fn rates(fitted: &Fitted) -> [Option<usize>; 3] {
-    let states = order(fitted.oil, fitted.slewing.is_some());
+    let states = order(fitted);
     let rate = |place: usize| states.iter().position(|state| *state == place).map(|found| found + 2);
     [Some(1), rate(OMEGA_SL), rate(V_R)]
 }
@@ -205,9 +211,16 @@ fn bar(way: f64) -> Bar {
     }
 }
 
-/// How the load hangs, as a number: one where its rope is taut, and two more where it stands on the ground.
+/// How ropes hang, as a number: one where that of the load is taut, two more where it stands on the ground, and four, eight or
+/// twelve where that of the drive is slack, as its drum is held, pays out or reels in.
 fn hanging(modes: &Modes) -> f64 {
-    f64::from(modes.taut) + 2.0 * f64::from(modes.grounded)
+    let drum = match modes.unwound {
+        None => 0.0,
+        Some(Bar::Held | Bar::Loose) => 1.0,
+        Some(Bar::Forward) => 2.0,
+        Some(Bar::Backward) => 3.0,
+    };
+    f64::from(modes.taut) + 2.0 * f64::from(modes.grounded) + 4.0 * drum
 }
 
 fn numbers(modes: &Modes) -> [f64; PAST_NUMBERS] {
@@ -227,12 +240,15 @@ fn numbers(modes: &Modes) -> [f64; PAST_NUMBERS] {
 
 fn modes([luffing, slewing, drum, command, hanging, blown, called, acting]: [f64; PAST_NUMBERS]) -> Modes {
     let way = bar(drum);
+    let unwound = [None, Some(Bar::Held), Some(Bar::Forward), Some(Bar::Backward)];
+    let load = hanging % 4.0;
     Modes {
         joints: [bar(luffing), bar(slewing)],
         drum: Drum { way, command },
-        taut: hanging == 1.0 || hanging == 3.0,
-        grounded: hanging >= 2.0,
+        taut: load == 1.0 || load == 3.0,
+        grounded: load >= 2.0,
         slack: None,
+        unwound: unwound[(hanging / 4.0).clamp(0.0, 3.0) as usize],
         blown,
         braking: Braking::of([called, acting]),
     }
@@ -287,13 +303,15 @@ numbered!(
 );
 
 /// What belongs to a crane in motion and is no number of its equations: length of the load's rope at the start (m), end
-/// stops of slewing (rad), whether oil moves it, whether brakes are on the shaft of its motor, what of wind and slope it meets.
+/// stops of slewing (rad), whether oil moves it, whether brakes are on the shaft of its motor, whether the rope of its drive may
+/// go slack, what of wind and slope it meets.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Fitted {
     pub rope: Option<f64>,
     pub slewing: Option<[f64; 2]>,
     pub oil: bool,
     pub braked: bool,
+    pub hauled: bool,
     pub meets: Meets,
 }
 group!(Fitted);

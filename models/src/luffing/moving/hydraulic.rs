@@ -80,6 +80,8 @@ pub struct Modes {
     pub grounded: bool,
     /// Where a rope that drives luffing is slack: the angle (rad) at which it is taut again.
     pub slack: Option<f64>,
+    /// Where that of its drive is: what the drum does that it is on.
+    pub unwound: Option<Bar>,
     /// Energy that blows have taken so far, in J; what they gave counts negative.
     pub blown: f64,
     /// Of the brakes on the shaft of luffing's motor.
@@ -115,6 +117,7 @@ impl Modes {
         taut: true,
         grounded: false,
         slack: None,
+        unwound: None,
         blown: 0.0,
         braking: Braking::LIFTED,
     };
@@ -128,6 +131,7 @@ impl Modes {
             taut: self.taut,
             grounded: self.grounded,
             slack: self.slack,
+            unwound: self.unwound,
             blown: self.blown,
         }
     }
@@ -141,7 +145,7 @@ impl Modes {
     /// As an event leaves it.
     pub fn follow<const M: usize, const J: usize>(&mut self, state: &CraneState<M, J>) {
         (self.drum, self.taut, self.grounded) = (state.drum, state.taut, state.grounded);
-        (self.slack, self.blown) = (state.slack, state.blown);
+        (self.slack, self.unwound, self.blown) = (state.slack, state.unwound, state.blown);
         self.joints[..J].copy_from_slice(&state.joints);
     }
 }

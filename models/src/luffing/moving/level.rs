@@ -8,12 +8,12 @@ use crate::luffing::moving::crane::{Commands, CraneState, Hangs, MovingCrane, Sn
 use crate::luffing::moving::driven::Slopes;
 use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
 use crate::luffing::moving::given::{Inputs, MOST_STATES};
-use crate::luffing::moving::hydraulic::{self, FIRST, FIXED, Hydraulic, MOST, Modes, PresentCrane};
-use crate::luffing::moving::motion::MovingLinkage;
+use crate::luffing::moving::hydraulic::{FIRST, FIXED, Hydraulic, MOST, Modes, PresentCrane};
+use crate::luffing::moving::motion::{HauledLinkage, MovingLinkage};
 use crate::luffing::moving::powers::{Powers, oil_powers, powers_of};
 use crate::luffing::moving::reduced::MotorShaft;
 use crate::luffing::moving::shares::{Instant, rope_on_head};
-use crate::luffing::moving::space::{self, Slewing};
+use crate::luffing::moving::space::{HauledSlewing, Slewing};
 use crate::parts::hanging::to_load;
 use crate::parts::hydraulics::cylinder::{Flows, PART_MARGINS};
 use crate::parts::hydraulics::oil::VACUUM;
@@ -22,7 +22,7 @@ use crate::parts::solver::rodas::Run;
 use crate::parts::solver::{Count, Halt};
 
 /// Most event indicators of any level.
-pub const MOST_INDICATORS: usize = 14 + PART_MARGINS;
+pub const MOST_INDICATORS: usize = 15 + PART_MARGINS;
 /// Event indicators of the oil besides those of parts that it may have, which stand behind all others.
 const OIL_INDICATORS: usize = 6;
 
@@ -31,6 +31,9 @@ const OIL_INDICATORS: usize = 6;
 pub enum Level<P = f64> {
     Free(MovingLinkage<P>),
     Slewing(Slewing<P>),
+    /// The same where the rope of the drive may go slack.
+    Hauled(HauledLinkage<P>),
+    HauledSlewing(HauledSlewing<P>),
     /// A cylinder, and nothing else that moves.
     Fixed(Hydraulic<FIXED, P>),
     /// A cylinder, the load on its rope, a crane that slews, or both.
@@ -79,6 +82,9 @@ pub enum MotionResult {
     /// Of wind and slope on the bodies, at the driven bar.
     Wind,
     Slope,
+    /// Powers of the motor that drives it, and of the brakes on the drum of a slack rope.
+    Motor,
+    DrumBrake,
 }
 
 /// The same of cranes without oil, and of those with it.
@@ -87,6 +93,8 @@ macro_rules! either {
         match $level {
             Level::Free($crane) => $one,
             Level::Slewing($crane) => $one,
+            Level::Hauled($crane) => $one,
+            Level::HauledSlewing($crane) => $one,
             Level::Fixed($oil) => $other,
             Level::Hanging($oil) => $other,
         }
@@ -133,6 +141,7 @@ fn oil_reaction<const N: usize, P: Coordinate<P>>(
         MotionResult::Ground => Some(system.on_ground(modes, y)?[0]),
         MotionResult::Height => Some(system.on_ground(modes, y)?[1]),
         MotionResult::Wind | MotionResult::Slope => outside(system.dynamics(), y[0], reaction),
+        MotionResult::Motor | MotionResult::DrumBrake => Some(P::constant(0.0)),
     }
 }
 
@@ -150,7 +159,7 @@ where
     match reaction {
         MotionResult::Pull => crane.rope_force(state, commands, y),
         MotionResult::Drum => {
-            let r = &P::reduced(&crane.dynamics, y[0])?;
+            let r = &crane.reduced(state, y[0])?;
             Some(crane.drum_friction(&Snapshot { state, r, y, commands }))
         }
         MotionResult::Drive => {
@@ -159,22 +168,28 @@ where
                 Bar::Held => crane.friction_moment(0, state, commands, y)?,
                 _ => P::constant(0.0),
             };
-            let shaft = shaft(&crane.dynamics, y[0])?;
+            let shaft = shaft(crane, state, y[0])?;
             Some(crane.shares(state, commands, y, (together, shaft.as_ref())).drive)
         }
         MotionResult::Air | MotionResult::AirPower => {
-            let r = &P::reduced(&crane.dynamics, y[0])?;
+            let r = &crane.reduced(state, y[0])?;
             let [force, power] = crane.in_air(&Snapshot { state, r, y, commands });
             Some(if reaction == MotionResult::Air { force } else { power })
         }
         MotionResult::Ground | MotionResult::Height => {
-            let r = &P::reduced(&crane.dynamics, y[0])?;
+            let r = &crane.reduced(state, y[0])?;
             let [force, height] = crane.on_ground(&Snapshot { state, r, y, commands });
             Some(if reaction == MotionResult::Ground {
                 force
             } else {
                 height
             })
+        }
+        MotionResult::Motor | MotionResult::DrumBrake if !MovingCrane::<N, J, P>::HAULED => Some(P::constant(0.0)),
+        MotionResult::Motor | MotionResult::DrumBrake => {
+            let r = &crane.reduced(state, y[0])?;
+            let [given, braked] = crane.drum_powers(&Snapshot { state, r, y, commands });
+            Some(if reaction == MotionResult::Motor { given } else { braked })
         }
         MotionResult::SlewingFriction => crane.friction_moment(1, state, commands, y),
         MotionResult::Wind | MotionResult::Slope => outside(&crane.dynamics, y[0], reaction),
@@ -191,10 +206,17 @@ fn outside<P: Coordinate<P>>(dynamics: &Dynamics<P>, theta: P, which: MotionResu
     }))
 }
 
-/// The shaft of its motor at an angle (rad), where it has one; `None` where the linkage does not close.
-fn shaft<P: Coordinate<P>>(dynamics: &Dynamics<P>, theta: P) -> Option<Option<MotorShaft<P>>> {
-    match dynamics.is_geared() {
-        true => P::reduced(dynamics, theta).map(|r| r.shaft),
+/// The shaft of a motor that turns with it at an angle (rad), where it has one; `None` where the linkage does not close.
+fn shaft<const N: usize, const J: usize, P: Coordinate<P>>(
+    crane: &MovingCrane<N, J, P>,
+    state: &CraneState<N, J>,
+    theta: P,
+) -> Option<Option<MotorShaft<P>>>
+where
+    MovingCrane<N, J, P>: Hangs<N, J, P>,
+{
+    match crane.dynamics.is_geared() {
+        true => crane.reduced(state, theta).map(|r| r.geared().copied()),
         false => Some(None),
     }
 }
@@ -299,13 +321,16 @@ impl<P: Coordinate<P>> Level<P> {
             (pull, tension) = (Some(rope_on_head(along, direction)), Some(along));
         }
         let together = self.reaction(at, MotionResult::Friction)?;
-        let shaft = shaft(dynamics, y[0])?;
         let shares = either!(
             self,
-            crane => crane.shares(&at.past.crane(first(y)), &inputs.of(), first(y), (together, shaft.as_ref())),
+            crane => {
+                let state = &at.past.crane(first(y));
+                let shaft = shaft(crane, state, y[0])?;
+                let shares = crane.shares(state, &inputs.of(), first(y), (together, shaft.as_ref()));
+                shares.less(shaft.map(|shaft| shaft.lags(y[1], rates[1])))
+            },
             system => system.shares(first(y), arm)
         );
-        let shares = shares.less(shaft.map(|shaft| shaft.lags(y[1], rates[1])));
         Some(Instant {
             omega: y[1],
             alpha: rates[1],
@@ -435,7 +460,7 @@ impl Level {
     #[must_use]
     pub fn ahead(&self, y: &[f64; MOST_STATES]) -> Ahead {
         match self {
-            Level::Free(_) | Level::Slewing(_) => Ahead::Nothing,
+            Level::Free(_) | Level::Slewing(_) | Level::Hauled(_) | Level::HauledSlewing(_) => Ahead::Nothing,
             Level::Fixed(_) => Ahead::Fixed(Run::new(*first(y), FIRST)),
             Level::Hanging(_) => Ahead::Hanging(Run::new(*y, FIRST)),
         }
@@ -452,6 +477,8 @@ impl Level {
         match (self, ahead) {
             (Level::Free(crane), _) => crane_run(crane, at, on),
             (Level::Slewing(crane), _) => crane_run(crane, at, on),
+            (Level::Hauled(crane), _) => crane_run(crane, at, on),
+            (Level::HauledSlewing(crane), _) => crane_run(crane, at, on),
             (Level::Fixed(system), Ahead::Fixed(run)) => oil_run(system, run, at, on),
             (Level::Hanging(system), Ahead::Hanging(run)) => oil_run(system, run, at, on),
             _ => unreachable!("of another level"),
@@ -466,22 +493,4 @@ impl Level {
             system => oil_powers(system, *past, first(y))
         )
     }
-
-    /// Which of the states are rates of the bodies, the last one that of the rope: behind the angle and the oil come the
-    /// states of slewing and of the load in space, or of the load in the plane.
-    pub(crate) fn rates_of(&self) -> &'static [usize] {
-        match (self.has_oil(), self.dynamics().turntable().is_some()) {
-            (false, false) => &[1, 3, 6, 7],
-            (false, true) => &[1, 3, 7, 8, 9, 11],
-            (true, false) => &[1, 9, 12, 13],
-            (true, true) => &[1, 9, 13, 14, 15, 17],
-        }
-    }
-}
-
-/// Where the load of a crane that slews is seen from its head: angles of its rope, and its distance.
-pub fn seen<C: Calc>(y: &[C; MOST_STATES], oil: bool) -> [C; 3] {
-    let own: [C; space::STATES] = if oil { hydraulic::part(y) } else { *first(y) };
-    let [swing, side] = space::angles(&own);
-    [swing, side, space::distance(&own)]
 }

@@ -1,6 +1,7 @@
 //! What a crane in motion has of all levels, and what is said of its variables.
 
 use crate::component::outline::joined;
+use crate::drive::symbols::Z_PULL;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::{Role, Variable};
 use crate::luffing::moving::control::acting::axis;
@@ -36,7 +37,7 @@ pub const fn rates_after<const N: usize>(bar: &[&'static Symbol]) -> [&'static S
 }
 
 /// Event indicators of a crane and of its controllers.
-pub const ALL_INDICATORS: [&Symbol; 35] = joined(INDICATORS, CONTROL_EVENTS);
+pub const ALL_INDICATORS: [&Symbol; 38] = joined(INDICATORS, CONTROL_EVENTS);
 
 /// What a scene's crane in motion has.
 #[derive(Clone, Copy, Debug)]
@@ -54,6 +55,8 @@ pub struct Fittings {
     pub pump: bool,
     /// On the shaft of luffing's motor.
     pub braked: bool,
+    /// The rope of its drive may go slack.
+    pub hauled: bool,
     pub meets: Meets,
     /// Of luffing, slewing and hoist.
     pub controlled: [bool; 3],
@@ -81,6 +84,7 @@ impl Fittings {
             load_holding: sources.oil_parts.is_some_and(|parts| parts.load_holding.is_some()),
             pump: sources.oil_parts.is_some_and(|parts| parts.pump.is_some()),
             braked: sources.fitted.braked,
+            hauled: sources.fitted.hauled,
             meets: sources.fitted.meets,
             controlled: sources
                 .control
@@ -101,6 +105,7 @@ impl Fittings {
             (Some(8..14), _) => self.slews && self.rope,
             (Some(16), _) => self.rope,
             (Some(19), _) => self.ramp || self.motor,
+            (Some(20 | 21), _) => self.hauled,
             (Some(_), _) => self.rope && !self.slews,
             (_, Some(1)) => !self.oil,
             (_, Some(5)) => self.motor,
@@ -140,6 +145,9 @@ impl Fittings {
             (_, Some(17 | 18)) => self.anti_cavitation,
             (_, Some(19..24)) => self.load_holding,
             (_, Some(24 | 25)) => self.pump,
+            (_, Some(26..29)) => self.hauled,
+            _ if of(&[&Z_PULL]) => !self.hauled,
+            _ if of(&[&s::P_ML, &s::P_BL]) => self.hauled,
             _ if of(&[&s::F_C, &h::CAVITATES]) => self.oil,
             _ if of(listed!(h: Q_ACA, Q_ACB)) => self.anti_cavitation,
             _ if of(listed!(h: Y_LHA, Y_LHB, Q_B1, Q_B2)) => self.load_holding,

@@ -71,6 +71,7 @@ impl MotionSources {
             slewing: None,
             oil: false,
             braked: false,
+            hauled: false,
             meets: Meets::NOTHING,
         },
     };

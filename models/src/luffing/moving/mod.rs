@@ -8,12 +8,12 @@
 //! | `crane`, `driven`, `motion`, `space`, `hanging` | joints that stick, stops, a rope that goes slack; load in the plane and in space |
 //! | `grounded` | a load on the ground |
 //! | `control`, `regulated` | controllers of luffing, slewing and hoist; a crane under those that are not sampled |
-//! | `pulled` | a crane that a rope luffs, which may go slack |
+//! | `pulled`, `unwound`, `caught` | a crane that a rope luffs, which may go slack; that of a drive, whose drum has inertia |
 //! | `hydraulic` | the same moved by a cylinder |
 //! | `weather`, `exposed` | wind and slope, as told; what they come to on a mechanism's bodies |
 //! | `geared`, `brakes` | a motor whose shaft turns with the mechanism; brakes on it, which fall on after a delay |
 //! | `weighed` | the counterweight of a balance with its derivatives |
-//! | `level`, `shares`, `powers` | what the levels have in common; what turns the driving link; what gives and takes power |
+//! | `level`, `shares`, `powers`, `energies` | what the levels have in common; what turns the driving link; what gives and takes power, and what blows do |
 //! | `inertia_forces`, `balance_in_motion` | weight and inertia of one body; what a balance does to its boom |
 //! | `given`, `symbols`, `listed` | inputs, states and memory as groups; quantities; which of them a scene has |
 //! | `scene`, `hoisting`, `oil_scene`, `weather_scene`, `levels` | keys of motion, of rope and hoist, of oil, of wind and slope; what descriptions of single booms have in common |
@@ -28,10 +28,12 @@ pub mod bodies;
 pub mod brakes;
 pub mod built;
 pub(crate) mod carried;
+mod caught;
 pub mod control;
 pub mod crane;
 mod driven;
 pub mod dynamics;
+mod energies;
 pub mod exposed;
 pub mod follows;
 pub mod fragments;
@@ -61,6 +63,7 @@ pub mod stages;
 pub mod start;
 pub mod symbols;
 pub(crate) mod told;
+mod unwound;
 pub mod weather;
 mod weather_scene;
 pub mod weighed;

@@ -3,7 +3,7 @@
 
 use crate::kernel::calc::Calc;
 use crate::luffing::moving::blown::directions;
-use crate::luffing::moving::crane::{Commands, CraneState, FEW, Hangs, MovingCrane, Snapshot, Struck};
+use crate::luffing::moving::crane::{Commands, CraneState, DRUM, FEW, Hangs, MovingCrane, Snapshot, Struck};
 use crate::luffing::moving::dynamics::Coordinate;
 use crate::luffing::moving::pendulum::{Phase, Reel};
 use crate::luffing::moving::reduced::Reduced;
@@ -17,9 +17,14 @@ use crate::parts::solver::Halt;
 /// Number of states: angle and rate of the driven bar, of the rope, the rope's length, the distance
 /// of the load from the head and its rate, the rate at which the rope is paid out; rad, m, s.
 pub const STATES: usize = 8;
+/// The same where the rope of its drive may go slack.
+pub const HAULED: usize = STATES + DRUM;
 
 /// A luffing mechanism that moves.
 pub type MovingLinkage<P = f64> = MovingCrane<STATES, 1, P>;
+
+/// One whose drive has a rope that may go slack.
+pub type HauledLinkage<P = f64> = MovingCrane<HAULED, 1, P>;
 
 /// Its motion at one instant.
 pub type MotionState = CraneState<STATES, 1>;
@@ -31,6 +36,13 @@ impl MotionState {
         CraneState::held([theta, 0.0, 0.0, 0.0, length, length, 0.0, 0.0])
     }
 
+    /// Puts a load that is farther than its rope is long to the rope's end.
+    pub(crate) fn shorten(&mut self) {
+        self.y[5] = self.y[5].min(self.y[4]);
+    }
+}
+
+impl<const N: usize> CraneState<N, 1> {
     /// Puts the load of a taut rope, paid out at a rate (m/s), at its end, moving with it.
     pub(crate) fn straighten(&mut self, rate: f64) {
         (self.y[5], self.y[6]) = (self.y[4], rate);
@@ -40,14 +52,9 @@ impl MotionState {
     fn paid(&self, r: &Reduced<f64>) -> f64 {
         r.paid(self.y[7], self.y[1])
     }
-
-    /// Puts a load that is farther than its rope is long to the rope's end.
-    pub(crate) fn shorten(&mut self) {
-        self.y[5] = self.y[5].min(self.y[4]);
-    }
 }
 
-fn phase<C: Calc>(y: &[C; STATES]) -> Phase<C> {
+fn phase<C: Calc, const N: usize>(y: &[C; N]) -> Phase<C> {
     Phase {
         theta: y[0],
         omega: y[1],
@@ -66,9 +73,9 @@ pub struct PlaneAccelerations<C> {
     pull: Option<C>,
 }
 
-impl<P: Calc> MovingLinkage<P> {
+impl<const N: usize, P: Calc> MovingCrane<N, 1, P> {
     /// The load on its rope as it is now.
-    fn reel<C: Coordinate<P>>(&self, state: &MotionState, r: &Reduced<C>, y: &[C; STATES]) -> Reel<C> {
+    fn reel<C: Coordinate<P>>(&self, state: &CraneState<N, 1>, r: &Reduced<C>, y: &[C; N]) -> Reel<C> {
         if self.is_kept(state) {
             Reel {
                 length: y[4],
@@ -86,12 +93,7 @@ impl<P: Calc> MovingLinkage<P> {
 
     /// Accelerations of a load that flies free, is pulled by a force that does not follow from the bar's alone, or stands on
     /// the ground, which takes all that acts on it.
-    fn led<C: Coordinate<P>>(
-        &self,
-        moment: C,
-        line: RopeAction<C>,
-        at: &Snapshot<STATES, 1, C>,
-    ) -> PlaneAccelerations<C> {
+    fn led<C: Coordinate<P>>(&self, moment: C, line: RopeAction<C>, at: &Snapshot<N, 1, C>) -> PlaneAccelerations<C> {
         let Snapshot { state, r, y, .. } = *at;
         let (m, reel, still) = (phase(y), self.reel(state, r, y), C::constant(0.0));
         let [_, d, dd] = r.head;
@@ -153,7 +155,7 @@ impl<P: Calc> MovingLinkage<P> {
     }
 
     /// Force of a taut rope, in N, on a mass (kg) in the place of the load's.
-    fn pull<C: Coordinate<P>>(&self, mass: P, a: &PlaneAccelerations<C>, at: &Snapshot<STATES, 1, C>) -> C {
+    fn pull<C: Coordinate<P>>(&self, mass: P, a: &PlaneAccelerations<C>, at: &Snapshot<N, 1, C>) -> C {
         let Snapshot { state, r, y, .. } = *at;
         if let Some(pull) = a.pull {
             return C::of(mass) * pull;
@@ -174,16 +176,18 @@ impl<P: Calc> MovingLinkage<P> {
     }
 }
 
-impl<P: Calc> Hangs<STATES, 1, P> for MovingLinkage<P> {
+impl<const N: usize, P: Calc> Hangs<N, 1, P> for MovingCrane<N, 1, P> {
+    const OWN: usize = STATES;
+
     const LENGTH: usize = 4;
 
     type Accelerations<C: Calc> = PlaneAccelerations<C>;
 
-    fn reach<C: Calc>(y: &[C; STATES]) -> [C; 2] {
+    fn reach<C: Calc>(y: &[C; N]) -> [C; 2] {
         [y[5], y[6]]
     }
 
-    fn accelerations<C: Coordinate<P>>(&self, at: &Snapshot<STATES, 1, C>) -> PlaneAccelerations<C> {
+    fn accelerations<C: Coordinate<P>>(&self, at: &Snapshot<N, 1, C>) -> PlaneAccelerations<C> {
         let Snapshot { state, r, y, .. } = *at;
         let (m, still) = (phase(y), C::constant(0.0));
         let (bar, drive) = (state.joints[0], &self.drive(0, at));
@@ -211,43 +215,45 @@ impl<P: Calc> Hangs<STATES, 1, P> for MovingLinkage<P> {
     }
 
     #[inline]
-    fn rates_by<C: Coordinate<P>>(&self, a: &PlaneAccelerations<C>, at: &Snapshot<STATES, 1, C>) -> [C; STATES] {
+    fn rates_by<C: Coordinate<P>>(&self, a: &PlaneAccelerations<C>, at: &Snapshot<N, 1, C>) -> [C; N] {
         let Snapshot { state, r, y, .. } = *at;
-        let none = C::constant(0.0);
+        let mut out = [C::constant(0.0); N];
+        (out[0], out[1]) = (y[1], a.bar);
         if self.hoist().is_none() {
-            return [y[1], a.bar, none, none, none, none, none, none];
+            return out;
         }
         let paid = r.paid(y[7], y[1]);
         let distance = if self.is_kept(state) { paid } else { y[6] };
-        [y[1], a.bar, y[3], a.swing, paid, distance, a.out, none]
+        out[2..STATES - 1].copy_from_slice(&[y[3], a.swing, paid, distance, a.out]);
+        out
     }
 
-    fn tension_by<C: Coordinate<P>>(&self, a: &PlaneAccelerations<C>, at: &Snapshot<STATES, 1, C>) -> C {
+    fn tension_by<C: Coordinate<P>>(&self, a: &PlaneAccelerations<C>, at: &Snapshot<N, 1, C>) -> C {
         match self.dynamics.pendulum().copied() {
             Some(load) => self.pull(load.mass, a, at).def(&s::S_R),
             None => C::constant(0.0),
         }
     }
 
-    fn slackening_by<C: Coordinate<P>>(&self, a: &PlaneAccelerations<C>, at: &Snapshot<STATES, 1, C>) -> C {
+    fn slackening_by<C: Coordinate<P>>(&self, a: &PlaneAccelerations<C>, at: &Snapshot<N, 1, C>) -> C {
         match self.dynamics.pendulum().copied() {
             Some(load) => self.pull(load.cancelling(), a, at),
             None => C::constant(1.0),
         }
     }
 
-    fn raised<C: Coordinate<P>>(&self, ground: P, at: &Snapshot<STATES, 1, C>) -> Raised<C> {
+    fn raised<C: Coordinate<P>>(&self, ground: P, at: &Snapshot<N, 1, C>) -> Raised<C> {
         let upright = -directions(at.y[2]).0.y;
         Raised::above(ground, at.r.head[0].y - at.y[5] * upright, upright)
     }
 
-    fn felt<C: Coordinate<P>>(&self, at: &Snapshot<STATES, 1, C>) -> Option<[C; 2]> {
+    fn felt<C: Coordinate<P>>(&self, at: &Snapshot<N, 1, C>) -> Option<[C; 2]> {
         let Snapshot { state, r, y, .. } = *at;
         let ([speed, against], drag) = self.dynamics.in_wind(r, &phase(y), &self.reel(state, r, y))?;
         Some(drag.felt(speed, against))
     }
 
-    fn needs<C: Coordinate<P>>(&self, _: usize, at: &Snapshot<STATES, 1, C>) -> C {
+    fn needs<C: Coordinate<P>>(&self, _: usize, at: &Snapshot<N, 1, C>) -> C {
         let Snapshot { state, r, y, .. } = *at;
         let hold = match self.line(at) {
             RopeAction::Slack => r.moment,
@@ -267,19 +273,19 @@ impl<P: Calc> Hangs<STATES, 1, P> for MovingLinkage<P> {
     }
 }
 
-impl Struck<STATES, 1> for MovingLinkage {
-    fn jumped(before: &MotionState, after: &MotionState) -> bool {
-        let rates = |state: &MotionState| [state.y[1], state.y[3], state.y[6], state.y[7]];
+impl<const N: usize> Struck<N, 1> for MovingCrane<N, 1> {
+    fn jumped(before: &CraneState<N, 1>, after: &CraneState<N, 1>) -> bool {
+        let rates = |state: &CraneState<N, 1>| [state.y[1], state.y[3], state.y[6], state.y[7]];
         rates(before) != rates(after)
     }
 
-    fn wound(&self, state: &mut MotionState, before: f64, _: f64) -> Result<(), Halt> {
-        let r = f64::reduced(&self.dynamics, state.y[0]).ok_or(Halt::Outside)?;
+    fn wound(&self, state: &mut CraneState<N, 1>, before: f64, _: f64) -> Result<(), Halt> {
+        let r = self.reduced(state, state.y[0]).ok_or(Halt::Outside)?;
         (state.y[5], state.y[6], state.taut) = (state.y[4], r.paid(before, state.y[1]), false);
         Ok(())
     }
 
-    fn stopped(&self, _: usize, state: &mut MotionState, r: &Reduced<f64>) {
+    fn stopped(&self, _: usize, state: &mut CraneState<N, 1>, r: &Reduced<f64>) {
         let omega = state.y[1];
         let (out, along) = directions(state.y[2]);
         // A rope along which the head comes to rest would have to push: it lets go. A drum that turns gives way, by
@@ -298,7 +304,7 @@ impl Struck<STATES, 1> for MovingLinkage {
         }
     }
 
-    fn switched(&self, state: &mut MotionState, r: &Reduced<f64>, commands: &Commands<1>) {
+    fn switched(&self, state: &mut CraneState<N, 1>, r: &Reduced<f64>, commands: &Commands<1>) {
         let Some(pendulum) = self.dynamics.pendulum().copied() else {
             return;
         };
@@ -325,7 +331,33 @@ impl Struck<STATES, 1> for MovingLinkage {
         }
     }
 
-    fn put_down(&self, state: &mut MotionState, r: &Reduced<f64>, ground: f64) {
+    fn hauled(&self, state: &mut CraneState<N, 1>, r: &Reduced<f64>, give: impl FnOnce(f64) -> f64, way: f64) {
+        let Some(pendulum) = self.dynamics.pendulum().copied() else {
+            state.y[1] += give(1.0 / r.inertia);
+            return;
+        };
+        let (out, along) = directions(state.y[2]);
+        let arm = r.arm(r.head[1].dot(&out));
+        let light = 1.0 / pendulum.mass + state.drum.ease(&pendulum.hoist);
+        let (kept, led) = (self.is_kept(state), self.is_kept(state) && arm * way <= 0.0);
+        let heavy = if led { arm * arm / light } else { 0.0 };
+        if kept {
+            state.straighten(state.paid(r));
+        }
+        let change = give(1.0 / (r.inertia + heavy));
+        state.y[1] += change;
+        state.y[3] -= change * r.head[1].dot(&along) / self.reel(state, r, &state.y).length;
+        if led {
+            state.y[7] -= change * arm / light * state.drum.ease(&pendulum.hoist);
+            state.drum.way = state.drum.way.struck(state.y[7]);
+            state.straighten(state.paid(r));
+        } else {
+            state.y[6] -= change * r.head[1].dot(&out);
+            state.taut &= !kept;
+        }
+    }
+
+    fn put_down(&self, state: &mut CraneState<N, 1>, r: &Reduced<f64>, ground: f64) {
         let (below, y) = (r.head[0].y - ground, &mut state.y);
         let (out, _) = directions(y[2]);
         if (y[5] * out.y + below).abs() > FEW * below.abs() {
@@ -339,7 +371,7 @@ impl Struck<STATES, 1> for MovingLinkage {
         (y[3], y[6]) = (-head.dot(&along) / y[5], -head.dot(&out));
     }
 
-    fn place_and_speed(&self, state: &MotionState, r: &Reduced<f64>) -> (Point<f64>, f64) {
+    fn place_and_speed(&self, state: &CraneState<N, 1>, r: &Reduced<f64>) -> (Point<f64>, f64) {
         let (m, reel) = (phase(&state.y), self.reel(state, r, &state.y));
         let [a, d, _] = r.head;
         let (out, along) = directions(m.swing);

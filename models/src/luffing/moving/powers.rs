@@ -33,18 +33,22 @@ where
     MovingCrane<N, J>: Struck<N, J>,
 {
     let (y, hoist) = (&state.y, crane.hoist_powers(state, commands)?);
-    let (mut drives, mut friction) = ([0.0; 2], 0.0);
+    let r = &crane.reduced(state, y[0])?;
+    let at = &Snapshot { state, r, y, commands };
+    let [given, braked] = crane.drum_powers(at);
+    let (mut drives, mut friction) = ([given, 0.0], braked);
     for (i, drive) in commands.drives.iter().enumerate() {
         let rate = y[2 * i + 1];
-        drives[i] = drive.moment * rate;
+        if i > 0 {
+            drives[i] = drive.moment * rate;
+        }
         friction += -crane.friction_moment(i, state, commands, y)? * rate;
     }
-    let r = &f64::reduced(&crane.dynamics, y[0])?;
     let powers = Powers {
         drive: drives[0],
         slewing: drives[1],
         hoist: hoist.given,
-        air: crane.in_air(&Snapshot { state, r, y, commands })[1],
+        air: crane.in_air(at)[1],
         wind: r.outside.map_or(0.0, |outside| outside.wind * y[1]),
         friction: friction + hoist.lost,
         ..Powers::default()

@@ -17,7 +17,7 @@ where
 {
     /// What drives joint `i`: motor and brake, of a rope no more than it can pull.
     pub(crate) fn drive<C: Coordinate<P>>(&self, i: usize, at: &Snapshot<N, J, C>) -> JointDrive<C> {
-        let [rising, falling] = self.drives(i, at.state, at.commands, at.r.shaft.as_ref());
+        let [rising, falling] = self.drives(i, at.state, at.commands, at.r.geared());
         match at.state.joints[i] {
             Bar::Forward => rising,
             _ => falling,
@@ -32,15 +32,24 @@ where
         commands: &Commands<J, C>,
         shaft: Option<&MotorShaft<C>>,
     ) -> [JointDrive<C>; 2] {
-        let mut drive = commands.drives[i];
-        if let (0, Some(shaft)) = (i, shaft) {
-            drive.brake += shaft.braked(commands.shaft);
+        if i > 0 {
+            return [commands.drives[i]; 2];
         }
-        if i == 0 && self.dynamics.is_pulled() {
+        let drive = Self::motor(commands, shaft);
+        if state.unwound.is_some() {
+            [nothing(); 2]
+        } else if self.dynamics.is_pulled() {
             pulling(drive, state.slack.is_some())
         } else {
             [drive; 2]
         }
+    }
+
+    /// What a rope without a drum of its own pulls beyond the moment that was asked for (N·m), where it is not that: the brake
+    /// has it.
+    pub(crate) fn kept_back<C: Calc>(&self, drive: &JointDrive<C>, asked: &JointDrive<C>) -> Option<C> {
+        let apart = self.dynamics.is_pulled() && drive.moment.value() != asked.moment.value();
+        apart.then(|| drive.moment - asked.moment)
     }
 
     /// What turns the driven bar, told apart, of friction, brake and end stop `together` (N·m).
@@ -52,7 +61,7 @@ where
         (together, shaft): (C, Option<&MotorShaft<C>>),
     ) -> Shares<C> {
         let [rising, falling] = self.drives(0, state, commands, shaft);
-        let more = falling.less_than_asked(&commands.drives[0]);
+        let more = self.kept_back(&falling, &commands.drives[0]);
         let resistance = more.map_or(together, |more| together - more);
         let brake = match state.joints[0] {
             Bar::Forward => rising.brake,
@@ -60,14 +69,11 @@ where
             _ => falling.brake,
         };
         let friction = &self.joints[0].friction;
-        Shares::new(state.joints[0], resistance, y[1], friction, [falling.moment, brake])
-    }
-}
-
-impl<C: Calc> JointDrive<C> {
-    /// What is pulled beyond the moment that was asked for (N·m), where it is not that: the brake has it.
-    pub(crate) fn less_than_asked(&self, asked: &JointDrive<C>) -> Option<C> {
-        (self.moment.value() != asked.moment.value()).then(|| self.moment - asked.moment)
+        let shares = Shares::new(state.joints[0], resistance, y[1], friction, [falling.moment, brake]);
+        match shaft {
+            Some(shaft) if Self::HAULED && state.joints[0] == Bar::Held => shares.pulled(shaft.ratio.value()),
+            _ => shares,
+        }
     }
 }
 
@@ -90,18 +96,24 @@ impl<const N: usize, const J: usize> CraneState<N, J> {
     }
 }
 
+/// Neither drive nor brake.
+pub(super) fn nothing<C: Calc>() -> JointDrive<C> {
+    let nothing = C::constant(0.0);
+    JointDrive {
+        moment: nothing,
+        brake: nothing,
+    }
+}
+
 /// Motor and brake of a rope that pulls, against rising and against falling: they give it no force below zero, and none where
 /// it is slack.
 fn pulling<C: Calc>(drive: JointDrive<C>, slack: bool) -> [JointDrive<C>; 2] {
-    let nothing = C::constant(0.0);
     if slack {
-        return [JointDrive {
-            moment: nothing,
-            brake: nothing,
-        }; 2];
+        return [nothing(); 2];
     }
+    let zero = C::constant(0.0);
     // What asks for nothing has its derivatives all the same.
-    let positive = |x: C| if x.value() >= 0.0 { x } else { nothing };
+    let positive = |x: C| if x.value() >= 0.0 { x } else { zero };
     let moment = positive(drive.moment);
     let rising = if drive.brake.value() < moment.value() {
         drive.brake

@@ -31,19 +31,24 @@ pub struct Reduced<C> {
     /// Rope that one radian of the angle adds between head and load (m), and its change by the angle, where the mechanism
     /// leads the load's rope away from the head; it does not slew then.
     pub lead: Option<[C; 2]>,
-    /// Of the motor, where its inertia is a part of the above.
+    /// Of the motor, whose inertia is a part of the above unless it is loose.
     pub shaft: Option<MotorShaft<C>>,
     /// What wind and slope add to moment and energy, where it meets them.
     pub outside: Option<Outside<C>>,
 }
 
 /// The shaft of a motor at one angle of the driving link: its turn for one radian of that, its inertia there (kg·m²), and how
-/// that changes with the angle.
+/// that changes with the angle; its own inertia (kg·m²), and the drive's travel for one radian of its turn (m); the inertia of
+/// the bodies alone (kg·m²), and its change; whether it turns by itself, as the rope between is slack.
 #[derive(Clone, Copy, Debug)]
 pub struct MotorShaft<C> {
     pub ratio: C,
     pub inertia: C,
     pub slope: C,
+    pub own: C,
+    pub arm: C,
+    pub bodies: [C; 2],
+    pub loose: bool,
 }
 
 impl<C: Calc> MotorShaft<C> {
@@ -56,6 +61,10 @@ impl<C: Calc> MotorShaft<C> {
             ratio,
             inertia: (inertia * ratio.square()).def(&s::I_M),
             slope: (C::constant(2.0) * inertia * ratio * change).def(&s::DI_M),
+            own: inertia,
+            arm,
+            bodies: [C::constant(0.0); 2],
+            loose: false,
         }
     }
 
@@ -65,6 +74,10 @@ impl<C: Calc> MotorShaft<C> {
             ratio: f(self.ratio),
             inertia: f(self.inertia),
             slope: f(self.slope),
+            own: f(self.own),
+            arm: f(self.arm),
+            bodies: self.bodies.map(f),
+            loose: self.loose,
         }
     }
 
@@ -112,9 +125,30 @@ impl<C: Calc> Reduced<C> {
         Reduced {
             inertia: (self.inertia + shaft.inertia).def(&s::I_ALL),
             slope: (self.slope + shaft.slope).def(&s::DI_ALL),
-            shaft: Some(shaft),
+            shaft: Some(MotorShaft {
+                bodies: [self.inertia, self.slope],
+                ..shaft
+            }),
             ..self
         }
+    }
+
+    /// As it is while the rope to its motor is slack: the bodies alone, beside the shaft.
+    #[must_use]
+    pub fn freed(self) -> Reduced<C> {
+        let Some(shaft) = self.shaft else { return self };
+        let [inertia, slope] = shaft.bodies;
+        Reduced {
+            inertia,
+            slope,
+            shaft: Some(MotorShaft { loose: true, ..shaft }),
+            ..self
+        }
+    }
+
+    /// The shaft that turns with it.
+    pub fn geared(&self) -> Option<&MotorShaft<C>> {
+        self.shaft.as_ref().filter(|shaft| !shaft.loose)
     }
 
     /// With wind and slope.

@@ -4,7 +4,7 @@
 use crate::kernel::group::One;
 use crate::luffing::moving::control::continuous::{Laws, ordered, until, winding};
 use crate::luffing::moving::control::{AXES, ByAxis};
-use crate::luffing::moving::crane::{Commands, CraneState, MOST_CHANGES, MovingCrane, Struck};
+use crate::luffing::moving::crane::{Commands, CraneState, Hangs, MOST_CHANGES, MovingCrane, Struck};
 use crate::luffing::moving::driven::{Commanded, Slopes};
 use crate::luffing::moving::level::{Ahead, CraneAt, Level, Onward, first, put};
 use crate::luffing::moving::space;
@@ -14,7 +14,7 @@ use crate::parts::solver::pieces::{self, Pieces};
 use crate::parts::solver::{Count, Halt};
 
 /// Most states: those of a crane that slews, set point and integral of each drive.
-const MOST: usize = space::STATES + 2 * AXES.len();
+const MOST: usize = space::HAULED + 2 * AXES.len();
 
 /// Controllers, what they are commanded, and where they are.
 #[derive(Clone, Copy, Debug)]
@@ -67,8 +67,12 @@ impl<const N: usize, const J: usize> Regulated<N, J> {
 }
 
 /// What speeds of luffing, slewing and hoist are in a crane's states, or their accelerations in its rates.
-fn speeds<const N: usize, const J: usize>(y: &[f64; N]) -> [f64; AXES.len()] {
-    [y[1], if J > 1 { y[3] } else { 0.0 }, y[N - 1]]
+fn speeds<const N: usize, const J: usize>(y: &[f64; N]) -> [f64; AXES.len()]
+where
+    MovingCrane<N, J>: Struck<N, J>,
+{
+    let hoist = <MovingCrane<N, J> as Hangs<N, J, f64>>::OWN - 1;
+    [y[1], if J > 1 { y[3] } else { 0.0 }, y[hoist]]
 }
 
 /// A crane under commands and its controllers, for the solver.
@@ -236,6 +240,8 @@ impl Level {
             (_, None) => self.run(at, ahead, on),
             (Level::Free(crane), Some(regulators)) => run(crane, at, regulators, on),
             (Level::Slewing(crane), Some(regulators)) => run(crane, at, regulators, on),
+            (Level::Hauled(crane), Some(regulators)) => run(crane, at, regulators, on),
+            (Level::HauledSlewing(crane), Some(regulators)) => run(crane, at, regulators, on),
             (Level::Fixed(_) | Level::Hanging(_), _) => unreachable!("refused where the scene is read"),
         }
     }

@@ -117,6 +117,12 @@ impl Moving {
         self.has_motor() || self.strongest.hoist.speed != 0.0
     }
 
+    /// Whether the rope of its drive goes slack where it would have to push: with the inertia of the drum that it is on.
+    #[must_use]
+    pub fn is_hauled(&self) -> bool {
+        self.geared && self.roped
+    }
+
     /// Length of the load's rope at the start (m), and gravity (m/s²), where it has one.
     #[must_use]
     pub fn swings(&self) -> Option<[f64; 2]> {
@@ -129,7 +135,8 @@ impl Moving {
         let shaft = [
             self.geared.then_some("motor_shaft"),
             self.braked.then_some("shaft_brakes"),
-            self.roped.then_some("drive_taut"),
+            self.roped
+                .then_some(if self.geared { "drive_slack" } else { "drive_taut" }),
             self.meets.pressure.then_some("wind_in_motion"),
             self.meets.slope.then_some("slope_in_motion"),
         ];

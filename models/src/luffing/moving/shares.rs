@@ -75,6 +75,20 @@ impl<C: Calc> Shares<C> {
         }
     }
 
+    /// Where a rope drives a bar at rest, which cannot push: it turns the bar against a sense, and dry friction has what the brake
+    /// would have to give beyond that.
+    pub fn pulled(self, sense: f64) -> Shares<C> {
+        if self.drive.value() * sense <= 0.0 {
+            return self;
+        }
+        Shares {
+            drive: C::constant(0.0),
+            dry: self.dry + self.drive,
+            ..self
+        }
+        .named()
+    }
+
     /// The moment on the driving link (N·m), and the greatest of what it is made of.
     pub fn acting(&self) -> (C, f64) {
         let Shares {

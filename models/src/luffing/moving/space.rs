@@ -6,7 +6,7 @@
 use nalgebra::Vector3;
 
 use crate::kernel::calc::Calc;
-use crate::luffing::moving::crane::{Commands, CraneState, FEW, Hangs, MovingCrane, Snapshot, Struck};
+use crate::luffing::moving::crane::{Commands, CraneState, DRUM, FEW, Hangs, MovingCrane, Snapshot, Struck};
 use crate::luffing::moving::dynamics::Coordinate;
 use crate::luffing::moving::reduced::Reduced;
 use crate::luffing::moving::symbols as s;
@@ -19,11 +19,16 @@ use crate::parts::solver::Halt;
 /// Number of states: angle and rate of the driven bar, of slewing, the load from the head and its rate in
 /// the frame that slews, the rope's length, the rate at which it is paid out; rad, m, s.
 pub const STATES: usize = 12;
+/// The same where the rope of its drive may go slack.
+pub const HAULED: usize = STATES + DRUM;
 /// States without a load on a rope.
 pub const RIGID: usize = 4;
 
 /// A crane that luffs and slews, its dynamics on a turntable.
 pub type Slewing<P = f64> = MovingCrane<STATES, 2, P>;
+
+/// One whose drive has a rope that may go slack.
+pub type HauledSlewing<P = f64> = MovingCrane<HAULED, 2, P>;
 
 /// Its motion at one instant.
 pub type SlewingState = CraneState<STATES, 2>;
@@ -46,16 +51,6 @@ impl SlewingState {
         self.put(HangingLoad::resting(self.y[10], [swing, side]));
     }
 
-    fn put(&mut self, load: HangingLoad<f64>) {
-        self.y[4..7].copy_from_slice(load.place.as_slice());
-        self.y[7..10].copy_from_slice(load.rate.as_slice());
-    }
-
-    /// Puts the load of a taut rope at its end, moving with it, where roundings have moved it by more than a few bits.
-    pub(crate) fn straighten(&mut self) {
-        self.put(load_of(&self.y).straightened(self.y[10], self.y[11]));
-    }
-
     /// Puts a load that is farther than its rope is long to the rope's end.
     pub(crate) fn shorten(&mut self) {
         let (place, rope) = (load_of(&self.y).place, self.y[10]);
@@ -66,35 +61,49 @@ impl SlewingState {
     }
 }
 
+impl<const N: usize> CraneState<N, 2> {
+    fn put(&mut self, load: HangingLoad<f64>) {
+        self.y[4..7].copy_from_slice(load.place.as_slice());
+        self.y[7..10].copy_from_slice(load.rate.as_slice());
+    }
+
+    /// Puts the load of a taut rope at its end, moving with it, where roundings have moved it by more than a few bits.
+    pub(crate) fn straighten(&mut self) {
+        self.put(load_of(&self.y).straightened(self.y[10], self.y[11]));
+    }
+}
+
 /// Angles of the rope in rad: in the plane of the mechanism from the vertical, in (−π, π], forward positive;
 /// and from that plane, in [−π/2, π/2], left positive.
 #[must_use]
-pub fn angles<C: Calc>(y: &[C; STATES]) -> [C; 2] {
+pub fn angles<C: Calc, const N: usize>(y: &[C; N]) -> [C; 2] {
     load_of(y).angles()
 }
 
 /// Distance of the load from the head, in m.
 #[must_use]
-pub fn distance<C: Calc>(y: &[C; STATES]) -> C {
+pub fn distance<C: Calc, const N: usize>(y: &[C; N]) -> C {
     squared(load_of(y).place).sqrt()
 }
 
-fn load_of<C: Calc>(y: &[C; STATES]) -> HangingLoad<C> {
+fn load_of<C: Calc, const N: usize>(y: &[C; N]) -> HangingLoad<C> {
     HangingLoad::of(&std::array::from_fn(|i| y[i + 4]))
 }
 
-impl<P: Calc> Hangs<STATES, 2, P> for Slewing<P> {
+impl<const N: usize, P: Calc> Hangs<N, 2, P> for MovingCrane<N, 2, P> {
+    const OWN: usize = STATES;
+
     const LENGTH: usize = 10;
 
     type Accelerations<C: Calc> = Accelerations<C, 2>;
 
-    fn reach<C: Calc>(y: &[C; STATES]) -> [C; 2] {
+    fn reach<C: Calc>(y: &[C; N]) -> [C; 2] {
         let load = load_of(y);
         let (distance, direction) = to_load(load.place);
         [distance, dot(direction, load.rate).def(&s::V_Q)]
     }
 
-    fn accelerations<C: Coordinate<P>>(&self, at: &Snapshot<STATES, 2, C>) -> Accelerations<C, 2> {
+    fn accelerations<C: Coordinate<P>>(&self, at: &Snapshot<N, 2, C>) -> Accelerations<C, 2> {
         let Snapshot { state, r, y, .. } = *at;
         let moment = |i: usize| {
             let drive = self.drive(i, at);
@@ -110,9 +119,9 @@ impl<P: Calc> Hangs<STATES, 2, P> for Slewing<P> {
             .slewed(r, [y[1], y[3]], load_of(y), moments, line, free, around)
     }
 
-    fn rates_by<C: Coordinate<P>>(&self, a: &Accelerations<C, 2>, at: &Snapshot<STATES, 2, C>) -> [C; STATES] {
+    fn rates_by<C: Coordinate<P>>(&self, a: &Accelerations<C, 2>, at: &Snapshot<N, 2, C>) -> [C; N] {
         let y = at.y;
-        let mut out = [C::constant(0.0); STATES];
+        let mut out = [C::constant(0.0); N];
         out[..RIGID].copy_from_slice(&[y[1], a.joints[0], y[3], a.joints[1]]);
         if self.hoist().is_some() {
             out[4..7].copy_from_slice(a.rate.as_slice());
@@ -122,32 +131,32 @@ impl<P: Calc> Hangs<STATES, 2, P> for Slewing<P> {
         out
     }
 
-    fn tension_by<C: Coordinate<P>>(&self, a: &Accelerations<C, 2>, _: &Snapshot<STATES, 2, C>) -> C {
+    fn tension_by<C: Coordinate<P>>(&self, a: &Accelerations<C, 2>, _: &Snapshot<N, 2, C>) -> C {
         a.rope
     }
 
-    fn slackening_by<C: Coordinate<P>>(&self, a: &Accelerations<C, 2>, _: &Snapshot<STATES, 2, C>) -> C {
+    fn slackening_by<C: Coordinate<P>>(&self, a: &Accelerations<C, 2>, _: &Snapshot<N, 2, C>) -> C {
         a.slackening
     }
 
-    fn raised<C: Coordinate<P>>(&self, ground: P, at: &Snapshot<STATES, 2, C>) -> Raised<C> {
+    fn raised<C: Coordinate<P>>(&self, ground: P, at: &Snapshot<N, 2, C>) -> Raised<C> {
         let (place, head) = (load_of(at.y).place, at.r.head[0].y);
         Raised::above(ground, head + place.y, -to_load(place).1.y)
     }
 
-    fn felt<C: Coordinate<P>>(&self, at: &Snapshot<STATES, 2, C>) -> Option<[C; 2]> {
+    fn felt<C: Coordinate<P>>(&self, at: &Snapshot<N, 2, C>) -> Option<[C; 2]> {
         let Snapshot { state, r, y, .. } = *at;
         let stream = self.dynamics.stream(y[2])?;
         Some(stream.felt(self.velocity(state, r, y).1))
     }
 
-    fn needs<C: Coordinate<P>>(&self, i: usize, at: &Snapshot<STATES, 2, C>) -> C {
+    fn needs<C: Coordinate<P>>(&self, i: usize, at: &Snapshot<N, 2, C>) -> C {
         let Snapshot { state, r, y, commands } = *at;
         let [_, slope] = r.turn;
         let (omega, turning) = (y[1], y[3]);
         // What drives the joint besides the rope, as in the equations of motion at rest of this joint.
         let mut force = match i {
-            0 => commands.drives[0].moment - r.moment + C::constant(0.5) * slope * turning.square(),
+            0 => self.drive(0, at).moment - r.moment + C::constant(0.5) * slope * turning.square(),
             _ => commands.drives[1].moment - slope * omega * turning,
         };
         if state.taut && self.hoist().is_some() {
@@ -158,13 +167,13 @@ impl<P: Calc> Hangs<STATES, 2, P> for Slewing<P> {
     }
 }
 
-impl<P: Calc> Slewing<P> {
+impl<const N: usize, P: Calc> MovingCrane<N, 2, P> {
     /// The load's place from the slewing axis (m) and its velocity (m/s) against the ground, in the frame that slews.
     fn velocity<C: Coordinate<P>>(
         &self,
-        state: &SlewingState,
+        state: &CraneState<N, 2>,
         r: &Reduced<C>,
-        y: &[C; STATES],
+        y: &[C; N],
     ) -> (Vector3<C>, Vector3<C>) {
         let head = self.dynamics.head(r);
         let mut load = load_of(y);
@@ -177,23 +186,23 @@ impl<P: Calc> Slewing<P> {
     }
 }
 
-impl Struck<STATES, 2> for Slewing {
-    fn jumped(before: &SlewingState, after: &SlewingState) -> bool {
-        let rates = |state: &SlewingState| (state.y[1], state.y[3], state.y[11], state.taut);
+impl<const N: usize> Struck<N, 2> for MovingCrane<N, 2> {
+    fn jumped(before: &CraneState<N, 2>, after: &CraneState<N, 2>) -> bool {
+        let rates = |state: &CraneState<N, 2>| (state.y[1], state.y[3], state.y[11], state.taut);
         rates(before) != rates(after)
     }
 
-    fn wound(&self, state: &mut SlewingState, _: f64, jump: f64) -> Result<(), Halt> {
+    fn wound(&self, state: &mut CraneState<N, 2>, _: f64, jump: f64) -> Result<(), Halt> {
         state.taut = jump < 0.0;
         if let (true, Some(load)) = (state.taut, &self.dynamics.pendulum().copied()) {
-            let r = f64::reduced(&self.dynamics, state.y[0]).ok_or(Halt::Outside)?;
+            let r = self.reduced(state, state.y[0]).ok_or(Halt::Outside)?;
             self.catch(state, &r, load.mass, -jump);
         }
         Ok(())
     }
 
     /// A taut rope that the head would run away from pulls load and other joint along; one that it would push lets go.
-    fn stopped(&self, i: usize, state: &mut SlewingState, r: &Reduced<f64>) {
+    fn stopped(&self, i: usize, state: &mut CraneState<N, 2>, r: &Reduced<f64>) {
         let Some(pendulum) = self.dynamics.pendulum().copied() else {
             return;
         };
@@ -212,7 +221,7 @@ impl Struck<STATES, 2> for Slewing {
         self.jerk(state, &head, &rope, ease, pull.max(0.0), pendulum.mass, lost);
     }
 
-    fn switched(&self, state: &mut SlewingState, r: &Reduced<f64>, commands: &Commands<2>) {
+    fn switched(&self, state: &mut CraneState<N, 2>, r: &Reduced<f64>, commands: &Commands<2>) {
         let Some(pendulum) = self.dynamics.pendulum().copied() else {
             return;
         };
@@ -229,7 +238,28 @@ impl Struck<STATES, 2> for Slewing {
         state.taut = self.accelerations(&state.at(r, commands)).slackening >= 0.0;
     }
 
-    fn put_down(&self, state: &mut SlewingState, r: &Reduced<f64>, ground: f64) {
+    fn hauled(&self, state: &mut CraneState<N, 2>, r: &Reduced<f64>, give: impl FnOnce(f64) -> f64, way: f64) {
+        let ease = self.ease(state, r);
+        let Some(pendulum) = self.dynamics.pendulum().copied() else {
+            state.y[1] += give(ease[0]);
+            return;
+        };
+        let head = self.dynamics.head(r);
+        let rope = HeadRope::new(load_of(&state.y).place, &head);
+        let (kept, led) = (self.is_kept(state), self.is_kept(state) && rope.arms[0] * way <= 0.0);
+        // What the load's own speed changes by, for a change of luffing that is all its own.
+        let mut share = 0.0;
+        if led {
+            share = -rope.arms[0] / self.giving(state, &rope, ease, pendulum.mass);
+        }
+        let heavy = pendulum.mass * share * rope.arms[0] * ease[0];
+        let change = give(ease[0] * (1.0 + heavy)) / (1.0 + heavy);
+        state.y[1] += change;
+        self.jerk(state, &head, &rope, ease, share * change, pendulum.mass, [change, 0.0]);
+        state.taut &= led || !kept;
+    }
+
+    fn put_down(&self, state: &mut CraneState<N, 2>, r: &Reduced<f64>, ground: f64) {
         let (head, mut load) = (self.dynamics.head(r), load_of(&state.y));
         let below = r.head[0].y - ground;
         if (load.place.y + below).abs() > FEW * below.abs() {
@@ -240,15 +270,15 @@ impl Struck<STATES, 2> for Slewing {
         state.put(load);
     }
 
-    fn place_and_speed(&self, state: &SlewingState, r: &Reduced<f64>) -> (Point<f64>, f64) {
+    fn place_and_speed(&self, state: &CraneState<N, 2>, r: &Reduced<f64>) -> (Point<f64>, f64) {
         let (place, velocity) = self.velocity(state, r, &state.y);
         (place.xy(), velocity.norm_squared())
     }
 }
 
-impl Slewing {
+impl<const N: usize> MovingCrane<N, 2> {
     /// The rope's end goes away from the load at a speed (m/s): a plastic blow.
-    fn catch(&self, state: &mut SlewingState, r: &Reduced<f64>, mass: f64, excess: f64) {
+    fn catch(&self, state: &mut CraneState<N, 2>, r: &Reduced<f64>, mass: f64, excess: f64) {
         let head = self.dynamics.head(r);
         let (rope, ease) = (HeadRope::new(load_of(&state.y).place, &head), self.ease(state, r));
         let give = self.giving(state, &rope, ease, mass);
@@ -257,13 +287,13 @@ impl Slewing {
     }
 
     /// How much easier a load of a mass (kg) gives way along the rope than by itself, as joints and drum do too.
-    fn giving(&self, state: &SlewingState, rope: &HeadRope<f64, 2>, ease: [f64; 2], mass: f64) -> f64 {
+    fn giving(&self, state: &CraneState<N, 2>, rope: &HeadRope<f64, 2>, ease: [f64; 2], mass: f64) -> f64 {
         let drum = self.hoist().map_or(0.0, |hoist| state.drum.ease(hoist));
         rope.giving(ease, mass, drum)
     }
 
     /// One over the inertia of each joint that moves.
-    fn ease(&self, state: &SlewingState, r: &Reduced<f64>) -> [f64; 2] {
+    fn ease(&self, state: &CraneState<N, 2>, r: &Reduced<f64>) -> [f64; 2] {
         let inertias = [r.inertia, r.turn[0]];
         [0, 1].map(|i| match state.joints[i] {
             Bar::Held => 0.0,
@@ -276,7 +306,7 @@ impl Slewing {
     #[expect(clippy::too_many_arguments, reason = "what a blow is made of")]
     fn jerk(
         &self,
-        state: &mut SlewingState,
+        state: &mut CraneState<N, 2>,
         head: &[Vector3<f64>; 2],
         rope: &HeadRope<f64, 2>,
         ease: [f64; 2],
@@ -299,14 +329,14 @@ impl Slewing {
     }
 
     /// The load's rate as the head's changes under it, and its own by `own` (m/s).
-    fn shift(&self, state: &mut SlewingState, head: &[Vector3<f64>; 2], change: [f64; 2], own: Vector3<f64>) {
+    fn shift(&self, state: &mut CraneState<N, 2>, head: &[Vector3<f64>; 2], change: [f64; 2], own: Vector3<f64>) {
         state.put(load_of(&state.y).shifted(head, change, own));
     }
 
     /// Angular momentum about the slewing axis, in kg·m²/s; `None` where the linkage does not close.
     #[must_use]
-    pub fn angular_momentum(&self, state: &SlewingState) -> Option<f64> {
-        let r = f64::reduced(&self.dynamics, state.y[0])?;
+    pub fn angular_momentum(&self, state: &CraneState<N, 2>) -> Option<f64> {
+        let r = self.reduced(state, state.y[0])?;
         let own = r.turn[0] * state.y[3];
         let Some(pendulum) = self.dynamics.pendulum().copied() else {
             return Some(own);

@@ -11,8 +11,9 @@ use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Fault;
 use crate::luffing::moving::dynamics::Coordinate;
 use crate::luffing::moving::given::{CylinderOil, Fitted, Inputs, MOST_STATES, Slack, order};
-use crate::luffing::moving::hydraulic::{Hydraulic, MOST, Modes};
-use crate::luffing::moving::level::{CraneAt, Level, MOST_INDICATORS, MotionResult, seen};
+use crate::luffing::moving::hydraulic::{Hydraulic, MOST, Modes, part};
+use crate::luffing::moving::level::{CraneAt, Level, MOST_INDICATORS, MotionResult, first};
+use crate::luffing::moving::space;
 use crate::luffing::moving::symbols as s;
 use crate::parts::air::AirAround;
 use crate::parts::ground::GroundBelow;
@@ -127,9 +128,9 @@ pub fn moves<C: Scalar>(
 pub struct CraneRates<C>([C; RATES.len()]);
 
 /// Those of [`CraneStates`](crate::luffing::moving::given::CraneStates).
-pub const RATES: [&Symbol; 20] = *listed!(
+pub const RATES: [&Symbol; 22] = *listed!(
     s: D_P_1, D_P_2, D_P_A, D_P_B, D_X_V, D_V_V, D_PSI_SL, D_OMEGA_SL, D_X_Q, D_Y_Q, D_Z_Q, D_V_QX, D_V_QY, D_V_QZ, D_PHI_R,
-    D_OMEGA_R, D_L_R, D_S_Q, D_V_Q, D_V_R
+    D_OMEGA_R, D_L_R, D_S_Q, D_V_Q, D_V_R, D_DELTA_L, D_V_TL
 );
 
 rows!(CraneRates, RATES);
@@ -137,7 +138,7 @@ rows!(CraneRates, RATES);
 impl<C: Calc> CraneRates<C> {
     pub fn new(moves: &CraneMoves<C>, fitted: &Fitted) -> CraneRates<C> {
         let mut rows = [C::constant(0.0); RATES.len()];
-        for (rate, place) in moves.0[2..].iter().zip(order(fitted.oil, fitted.slewing.is_some())) {
+        for (rate, place) in moves.0[2..].iter().zip(order(fitted)) {
             rows[*place] = *rate;
         }
         CraneRates(rows)
@@ -189,8 +190,34 @@ pairs! {
     drag: Air, AirPower with AirAround<C>;
     /// Force of the ground on the load (N), and the load's height above it (m).
     standing: Ground, Height with GroundBelow<C>;
-    /// Moments of wind and slope at the driven bar, in N·m.
-    outside: Wind, Slope;
+}
+
+/// What acts on the driven bar besides what resists: moments of wind and slope (N·m), powers of the motor and, on the drum of a
+/// slack rope, of its brakes (W).
+#[derive(Clone, Copy, Debug)]
+pub struct BarActed<C>([C; ACTING.len()]);
+
+const ACTING: [&Symbol; 4] = *listed!(s: M_WIND, M_SLOPE, P_ML, P_BL);
+
+rows!(BarActed, ACTING);
+
+pub fn acted<C: Scalar>(
+    built: &[Level<C>],
+    told: &[Level<C>],
+    at: &CraneAt<C>,
+    theta: &One<C>,
+) -> Result<BarActed<C>, Fault> {
+    let mut found = [C::constant(0.0); ACTING.len()];
+    let all = [
+        MotionResult::Wind,
+        MotionResult::Slope,
+        MotionResult::Motor,
+        MotionResult::DrumBrake,
+    ];
+    for (of, which) in found.iter_mut().zip(all) {
+        *of = (C::own::<InMotion>().reaction)(present(built, told), at, which).ok_or_else(|| open(theta))?;
+    }
+    Ok(BarActed(found))
 }
 
 /// Energy that blows have taken, in J.
@@ -205,7 +232,9 @@ results! { LoadSeen as l => { PHI_R: l.0[0]; CHI_R: l.0[1]; S_Q: l.0[2]; } }
 
 impl<C: Calc> LoadSeen<C> {
     pub fn new(at: &CraneAt<C>, fitted: &Fitted) -> LoadSeen<C> {
-        LoadSeen(seen(&at.y, fitted.oil))
+        let own: [C; space::STATES] = if fitted.oil { part(&at.y) } else { *first(&at.y) };
+        let [swing, side] = space::angles(&own);
+        LoadSeen([swing, side, space::distance(&own)])
     }
 }
 
@@ -255,8 +284,9 @@ impl<C: Scalar> OilFlows<C> {
 #[derive(Clone, Copy, Debug)]
 pub struct CraneEvents<C>([C; INDICATORS.len()]);
 
-/// Of luffing; of the oil, with the stops of luffing; of slewing; of the rope; of the hoist; of the ground; of parts of the oil.
-pub const INDICATORS: [&Symbol; 26] = [
+/// Of luffing; of the oil, with the stops of luffing; of slewing; of the rope; of the hoist; of the ground; of parts of the oil; of
+/// the drive's rope.
+pub const INDICATORS: [&Symbol; 29] = [
     &s::Z_REST,
     &s::Z_LOOSE,
     &s::Z_SPOOL,
@@ -283,6 +313,9 @@ pub const INDICATORS: [&Symbol; 26] = [
     &h::Z_UNDERLAP,
     &h::Z_FLOW,
     &h::Z_POWER,
+    &s::Z_TACKLE,
+    &s::Z_TACKLE_REST,
+    &s::Z_TACKLE_LOOSE,
 ];
 
 rows!(CraneEvents, INDICATORS);
@@ -299,7 +332,7 @@ pub fn events<C: Scalar>(
     let slewing: &[usize] = if fitted.slewing.is_some() { &[8, 9, 10, 11] } else { &[] };
     let mut rows = [C::constant(0.0); INDICATORS.len()];
     let (found, parts) = found.split_at(MOST_INDICATORS - PART_MARGINS);
-    rows[INDICATORS.len() - PART_MARGINS..].copy_from_slice(parts);
+    rows[17..17 + PART_MARGINS].copy_from_slice(parts);
     let mut found = found.iter().copied();
     for (place, z) in luffing.iter().chain(slewing).chain(&[12]).zip(&mut found) {
         rows[*place] = z;
@@ -308,5 +341,8 @@ pub fn events<C: Scalar>(
     let hoist: [C; 2] = std::array::from_fn(|_| found.next().unwrap_or(rows[13]));
     (rows[13], rows[14], rows[15]) = (hoist[0], hoist[0], hoist[1]);
     rows[16] = found.next().unwrap_or(rows[16]);
+    for (row, z) in rows[17 + PART_MARGINS..].iter_mut().zip(found) {
+        *row = z;
+    }
     Ok(CraneEvents(rows))
 }

@@ -15,8 +15,9 @@ use crate::luffing::moving::carried::{CarriedCrane, at, known, put, regulators};
 use crate::luffing::moving::control::AXES;
 use crate::luffing::moving::control::continuous::Laws;
 use crate::luffing::moving::control::reading::Controllers;
+use crate::luffing::moving::crane::DRUM;
 use crate::luffing::moving::dynamics::Coordinate;
-use crate::luffing::moving::given::{CraneStates, Fitted, MOST_STATES, STATES, Slack};
+use crate::luffing::moving::given::{CraneStates, Fitted, MOST_STATES, STATES, Slack, order};
 use crate::luffing::moving::hoisting::HoistKind;
 use crate::luffing::moving::hydraulic::{FIXED, Modes};
 use crate::luffing::moving::level::{CraneAt, Level};
@@ -86,6 +87,16 @@ impl CraneAt {
         self.past.taut = true;
     }
 
+    /// The rope of its drive is taut.
+    pub(super) fn wind_up(&mut self, fitted: &Fitted) {
+        self.past.unwound = None;
+        if fitted.hauled {
+            // Behind angle and rate, the last two.
+            let drum = order(fitted).len();
+            self.y[drum..drum + DRUM].fill(0.0);
+        }
+    }
+
     /// The load hangs by the stretch (m) of a rope that carries it at rest.
     fn stretch(&mut self, stretch: f64, [oil, slews]: [bool; 2]) {
         let (first, y) = (own(oil), &mut self.y);
@@ -133,7 +144,7 @@ fn resting(moving: &Moving, theta: f64) -> [f64; MOST_STATES] {
 fn held_by_oil(level: &Level, at: &mut CraneAt) -> Option<()> {
     let theta = at.y[0];
     match level {
-        Level::Free(_) | Level::Slewing(_) => {}
+        Level::Free(_) | Level::Slewing(_) | Level::Hauled(_) | Level::HauledSlewing(_) => {}
         Level::Fixed(system) => at.y[2..FIXED].copy_from_slice(&system.resting(theta, LEAST_PRESSURE)?[2..]),
         Level::Hanging(system) => at.y[2..FIXED].copy_from_slice(&system.resting(theta, LEAST_PRESSURE)?[2..FIXED]),
     }
@@ -205,6 +216,7 @@ fn sources(moving: &Moving) -> MotionSources {
             slewing: slewing.map(|turn| turn.joint.stops),
             oil: oil.is_some(),
             braked: moving.braked,
+            hauled: moving.is_hauled(),
             meets: moving.meets,
         },
     }

@@ -70,6 +70,9 @@ symbols! {
     V_Q: "v_Q" "v_Q" M_PER_S / M_PER_S, "Speed of the load away from the head.", "equations of motion";
     V_R: "v_R" "v_R" M_PER_S / M_PER_S, "Speed at which the hoist pays out the rope; positive lowers the load.", "equations of motion";
 
+    DELTA_L: "delta_l" "delta_l" M / MM [not_negative], "Slack of the luffing tackle: how much longer its rope would let it be between its anchors; zero where it is taut.", "equations of motion";
+    V_TL: "v_tl" "v_\"tl\"" M_PER_S / M_PER_S, "Speed at which the drum of the slack luffing tackle lets it grow longer; zero where it is taut.", "equations of motion";
+
     P_1: "p_1" "p_1" PA / MPA, "Pressure in the valve's port on the side of the bore.", "equations of motion";
     P_2: "p_2" "p_2" PA / MPA, "Pressure in the valve's port on the side of the annulus.", "equations of motion";
     P_A: "p_A" "p_A" PA / MPA, "Pressure in the chamber of the bore.", "equations of motion";
@@ -81,6 +84,9 @@ symbols! {
     F_C: "F_c" "F_c" N / KN, "Force of the cylinder by its pressures; push positive.", "equations of motion";
     M_R: "M_R" "M_R" N_M / KN_M, "Moment of friction, brake and end stop on the driving link; positive turns it counter-clockwise.", "equations of motion";
     M_R_H: "M_Rh" "M_\"R h\"" N_M / KN_M, "Moment of brake and friction on the hoist's drum; positive reels in.", "equations of motion";
+    P_ML: "P_Ml" "P_\"M l\"" W / KW, "Power of the luffing motor: on the driving link while the tackle is taut, on its drum while that is slack.", "virtual work";
+    P_BL: "P_bl" "P_\"b l\"" W / KW, "Power that the brakes of luffing take on the drum of the slack tackle; zero where it is taut.", "virtual work";
+    MASS_TL: "mass_tl" "m_\"tl\"" KG / T, "Mass of the motor's shaft and its drum, as the luffing tackle feels it between its anchors.", "Lagrange";
     DELTA_R: "delta_R" "delta_R" M / MM, "Stretch of the rope.", "derived";
     D_DELTA_R: "ddelta_R" "dot(delta)_R" M_PER_S / M_PER_S, "Rate of the rope's stretch.", "derived";
     S_RD: "S_Rd" "S_(R d)" N / KN, "Force of the rope's damping: what the rope's force has beside that of its stiffness; where the rope has let go with a stretch left in it, the force of its stiffness with the opposite sign.", "derived";
@@ -202,6 +208,8 @@ symbols! {
     D_S_Q: "der(s_Q)" "dot(s)_Q" M_PER_S / M_PER_S, "Rate of the load's distance from the head.", "state";
     D_V_Q: "der(v_Q)" "dot(v)_Q" M_PER_S2 / M_PER_S2, "Acceleration of the load away from the head.", "equations of motion";
     D_V_R: "der(v_R)" "dot(v)_R" M_PER_S2 / M_PER_S2, "Acceleration with which the hoist pays out the rope.", "equations of motion";
+    D_DELTA_L: "der(delta_l)" "dot(delta)_l" M_PER_S / M_PER_S, "Rate of the tackle's slack.", "derived";
+    D_V_TL: "der(v_tl)" "dot(v)_\"tl\"" M_PER_S2 / M_PER_S2, "Acceleration with which the drum of the slack tackle lets it grow longer.", "equations of motion";
     D_P_1: "der(p_1)" "dot(p)_1" PA_PER_S / MPA_PER_S, "Rate of the pressure in the port of the bore.", "equations of motion";
     D_P_2: "der(p_2)" "dot(p)_2" PA_PER_S / MPA_PER_S, "Rate of the pressure in the port of the annulus.", "equations of motion";
     D_P_A: "der(p_A)" "dot(p)_A" PA_PER_S / MPA_PER_S, "Rate of the pressure in the chamber of the bore.", "equations of motion";
@@ -220,6 +228,9 @@ symbols! {
     Z_HOIST: "z.hoist" "z_13" ONE / ONE, "Falls below zero where the hoist has come up to its command.", "event";
     Z_DRUM_REST: "z.drum_rest" "z_14" ONE / ONE, "Falls below zero where the hoist's drum comes to rest, or breaks loose paying out.", "event";
     Z_DRUM_LOOSE: "z.drum_loose" "z_15" ONE / ONE, "Falls below zero where the hoist's drum breaks loose reeling in.", "event";
+    Z_TACKLE: "z.tackle" "z_33" ONE / ONE, "Falls below zero where the luffing tackle becomes slack or taut.", "event";
+    Z_TACKLE_REST: "z.tackle_rest" "z_34" ONE / ONE, "Falls below zero where the drum of the slack tackle comes to rest, or breaks loose reeling in.", "event";
+    Z_TACKLE_LOOSE: "z.tackle_loose" "z_35" ONE / ONE, "Falls below zero where the drum of the slack tackle breaks loose paying out.", "event";
 }
 
 /// What the wind's moments have of each bar.

@@ -46,7 +46,7 @@ use crate::parts::starts::way;
 /// Quantities at rest and in motion.
 mod s {
     pub use crate::balance::symbols::{F_KX, F_KY, F_MX, F_MY, N_1};
-    pub use crate::luffing::moving::symbols::{F_AIR, H_G, M_R, M_SLOPE, M_WIND, N_G, P_AIR, S_R, W_BLOW, Z_LOW};
+    pub use crate::luffing::moving::symbols::{F_AIR, H_G, M_R, N_G, P_AIR, S_R, W_BLOW, Z_LOW};
     pub use crate::luffing::resistances::symbols::F_R;
     pub use crate::luffing::rope::symbols::*;
 }
@@ -123,7 +123,7 @@ luffs!(RopeBoom by phi, omega on slack);
 resists!(RopeBoom with resisting::PARTS);
 
 said! { RopeBoom: Said {
-    bar: [&[&b::PHI, &s::OMEGA], &rates_after::<28>(Roped::RATES)],
+    bar: [&[&b::PHI, &s::OMEGA], &rates_after::<30>(Roped::RATES)],
     still: &[r::ALL, b::ALL],
     moving: listed!(s: T_DYN, S_H, F_K, F_O1X, F_O1Y, N_B, P_L, N_1, F_KX, F_KY, F_MX, F_MY),
     drive: None,

@@ -140,10 +140,10 @@ pub struct LinkRates<C>([C; 2], CraneRates<C>);
 const LINK_RATES: [&Symbol; 4] = *listed!(s: D_THETA_1, D_OMEGA_1, D_THETA_3, D_OMEGA_3);
 
 /// With those of all other states, and of controllers.
-pub const RATES: [&Symbol; 30] = rates_after(&LINK_RATES);
+pub const RATES: [&Symbol; 32] = rates_after(&LINK_RATES);
 
 impl<C: Calc> Rows<C> for LinkRates<C> {
-    const ROWS: &'static [&'static Symbol] = &joined::<_, 4, 20, 24>(LINK_RATES, CRANE_RATES);
+    const ROWS: &'static [&'static Symbol] = &joined::<_, 4, 22, 26>(LINK_RATES, CRANE_RATES);
     fn row(&self, row: u8, of: u16) -> Found<C> {
         match row.checked_sub(LINK_RATES.len() as u8) {
             None => Ok(self.0[usize::from(row % 2)]),

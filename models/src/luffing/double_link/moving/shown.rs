@@ -82,7 +82,7 @@ impl Shown for LuffingScene {
 
     const ASSEMBLED: &'static [&'static Symbol] = &[&m::J_2Q, &m::J_XI2, &m::J_XIETA2, &m::J_ETA2];
 
-    const STAGES: &'static [&'static str] = &["moves", "pull", "standing", "forces", "hauling"];
+    const STAGES: &'static [&'static str] = &["moves", "pull", "standing", "acted", "forces", "hauling"];
 
     const DRIVE: Drawn = ("motion_moment", &s::M_D);
 

@@ -48,7 +48,7 @@ pub fn at<C: Calc>(
     if let Some(rate) = wound {
         states[V_R] = rate.1;
     }
-    for (y, place) in y[2..].iter_mut().zip(order(fitted.oil, fitted.slewing.is_some())) {
+    for (y, place) in y[2..].iter_mut().zip(order(fitted)) {
         *y = states[*place];
     }
     let mut inputs = *inputs;

@@ -105,7 +105,7 @@ pub(super) fn integrals(moving: &Moving, rate: &'static Symbol) -> Vec<Integral>
     let integral = |there: bool, symbol: &'static Symbol, of: Vec<Power>| there.then_some(Integral { symbol, of });
     let (oil, slews, hangs) = (moving.oil.is_some(), moving.slewing.is_some(), moving.rope.is_some());
     let air = moving.rope.is_some_and(|rope| rope.air.is_some());
-    let motor = moving.has_motor();
+    let (motor, hauled) = (moving.has_motor(), moving.is_hauled());
     let elastic = moving.rope.is_some_and(|rope| rope.give.is_some());
     let hoist = match moving.rope.map(|rope| rope.hoist) {
         Some(HoistKind::Motor(_)) => of(true, &[&m::M_M_H, &m::M_H, &m::V_R], Some(&m::R_H)),
@@ -116,6 +116,7 @@ pub(super) fn integrals(moving: &Moving, rate: &'static Symbol) -> Vec<Integral>
         slews.then(|| of(true, &[&m::M_R_SL, &m::OMEGA_SL], None)),
         motor.then(|| of(false, &[&m::M_R_H, &m::M_H, &m::V_R], Some(&m::R_H))),
         elastic.then(|| of(false, &[&m::S_RD, &m::D_DELTA_R], None)),
+        hauled.then(|| of(false, &[&m::P_BL], None)),
     ];
     let stored = [
         [&m::V_1, &m::P_1, &m::D_P_1],
@@ -135,7 +136,14 @@ pub(super) fn integrals(moving: &Moving, rate: &'static Symbol) -> Vec<Integral>
     let mut resisted = vec![pump(), of(true, &[&m::F_C, &d::V_D], None)];
     resisted.extend(compression(true));
     let all = [
-        integral(!oil, &m::W_A, vec![of(false, &[&m::M_A, rate], None)]),
+        integral(
+            !oil,
+            &m::W_A,
+            vec![match hauled {
+                true => of(false, &[&m::P_ML], None),
+                false => of(false, &[&m::M_A, rate], None),
+            }],
+        ),
         integral(slews, &m::W_SL, vec![of(false, &[&m::M_SL, &m::OMEGA_SL], None)]),
         integral(hangs && moving.hoists(), &m::W_H, vec![hoist]),
         integral(oil, &m::W_P, vec![pump()]),

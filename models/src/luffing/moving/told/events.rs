@@ -45,6 +45,7 @@ impl Watch {
             taut,
             grounded,
             slack,
+            unwound,
             ..
         } = present.past;
         Watch {
@@ -57,7 +58,7 @@ impl Watch {
             ahead: [luffing[1], slewing[1], [false; 2]],
             taut,
             grounded,
-            pulls: slack.is_none(),
+            pulls: slack.is_none() && unwound.is_none(),
             relief: if oil {
                 [y[2] > opening, y[3] > opening]
             } else {

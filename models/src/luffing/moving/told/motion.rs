@@ -116,8 +116,8 @@ const SECTIONS: [(&str, &[&Symbol]); 13] = [
     (
         "motion_equations",
         listed! { m:
-            MASS_H, V_Q, DELTA_R, D_DELTA_R, S_RD, F_C, M_BM, M_R, M_R_SL, M_NET, TAU_M, M_NET_SL, ALPHA_0, ALPHA_0SL, A_N, KAPPA_R, A_R, A_AX, A_AY, A_AR, A_QX, A_QY, A_QPHI, A_LR, D_OMEGA_SL,
-            D_OMEGA_R, D_V_QX, D_V_QY, D_V_QZ, D_V_Q, S_R, D_V_R
+            MASS_H, MASS_TL, V_Q, DELTA_R, D_DELTA_R, S_RD, F_C, M_BM, M_R, M_R_SL, M_NET, TAU_M, M_NET_SL, ALPHA_0, ALPHA_0SL, A_N, KAPPA_R, A_R, A_AX, A_AY, A_AR, A_QX, A_QY, A_QPHI, A_LR, D_OMEGA_SL,
+            D_OMEGA_R, D_V_QX, D_V_QY, D_V_QZ, D_V_Q, S_R, D_V_R, D_DELTA_L, D_V_TL, P_ML, P_BL
         },
     ),
     ("motion_ground", &[&m::H_G]),

@@ -10,11 +10,24 @@ use crate::kernel::record::{self, Rec};
 use crate::kernel::variable::Fault;
 use crate::luffing::moving::carried::{self, CarriedCrane};
 use crate::luffing::moving::dynamics::Coordinate;
-use crate::luffing::moving::level::CraneAt;
+use crate::luffing::moving::level::{CraneAt, Level};
 use crate::luffing::moving::luffs::Luffs;
 use crate::luffing::moving::powers::Powers;
 use crate::luffing::moving::stages::open;
 use crate::luffing::moving::told::shown::Shown;
+
+/// Which of the states are rates of the bodies: behind the angle and the oil come the states of slewing and of the load in
+/// space, or of the load in the plane, then that of the load's rope and that of a drive's drum.
+fn rates_of(level: &Level) -> &'static [usize] {
+    match (level, level.dynamics().turntable().is_some()) {
+        (Level::Free(_) | Level::Slewing(_), false) => &[1, 3, 6, 7],
+        (Level::Free(_) | Level::Slewing(_), true) => &[1, 3, 7, 8, 9, 11],
+        (Level::Hauled(_) | Level::HauledSlewing(_), false) => &[1, 3, 6, 7, 9],
+        (Level::Hauled(_) | Level::HauledSlewing(_), true) => &[1, 3, 7, 8, 9, 11, 13],
+        (Level::Fixed(_) | Level::Hanging(_), false) => &[1, 9, 12, 13],
+        (Level::Fixed(_) | Level::Hanging(_), true) => &[1, 9, 13, 14, 15, 17],
+    }
+}
 
 /// Powers as it is now, and the energy (J) of all bodies with what blows have taken so far.
 ///
@@ -37,7 +50,7 @@ pub(super) fn kinetic<T: Luffs>(model: &mut MovingComponent) -> Result<f64, Faul
     let theta = T::luffing(T::given(known)).theta;
     let (level, moving) = T::in_motion(known).map_err(|fault| *fault)?;
     let mut still = moving;
-    for &rate in level.rates_of() {
+    for &rate in rates_of(level) {
         still.y[rate] = 0.0;
     }
     let energies = [moving, still].map(|at| Some(level.powers(&at)?.1));
@@ -66,7 +79,7 @@ pub(super) fn standing<T: Luffs>(model: &MovingComponent) -> Option<MovingCompon
     let (ground, give) = given.sources.ground.zip(given.sources.give)?;
     let load = given.load.filter(|load| load.1 > 0.0)?;
     let (level, mut at) = T::in_motion(known).ok()?;
-    for &rate in level.rates_of() {
+    for &rate in rates_of(level) {
         at.y[rate] = 0.0;
     }
     let below = f64::reduced(level.dynamics(), at.y[0])?.head[0].y - ground.y_g;

@@ -43,7 +43,16 @@ pub trait Shown: Described<Component: Luffs> {
     const ASSEMBLED: &'static [&'static Symbol] = &[];
 
     /// Stages that its equations at an instant consist of, of those that the scene has.
-    const STAGES: &'static [&'static str] = &["moves", "pull", "standing", "acting", "countered", "forces", "hauling"];
+    const STAGES: &'static [&'static str] = &[
+        "moves",
+        "pull",
+        "standing",
+        "acted",
+        "acting",
+        "countered",
+        "forces",
+        "hauling",
+    ];
 
     /// What its drive gives, and what is drawn of it where there is no rope; while it hoists beside the rope.
     const DRIVE: Drawn = ("motion_drive", &m::M_A);

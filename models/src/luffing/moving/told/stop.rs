@@ -31,7 +31,9 @@ impl Stop {
         let (level, at) = T::in_motion(known).ok()?;
         let [theta, omega] = [at.y[0], at.y[1]];
         let r = f64::reduced(level.dynamics(), theta)?;
-        let (ratio, friction) = (r.shaft?.ratio.abs(), given.sources.constants?);
+        // Brakes on the drum of a slack rope stop nothing else.
+        let taut = at.past.unwound.is_none();
+        let (ratio, friction) = (r.shaft.filter(|_| taut)?.ratio.abs(), given.sources.constants?);
         let mut still = at;
         still.y[1] = 0.0;
         (still.inputs.drives[0], still.inputs.shaft) = (JointDrive::NONE, 0.0);
