@@ -95,15 +95,16 @@ def moments(rows, gains, c, limit, end, times, inertia=J):
         grows = {"free": k_i * error, "falls": k_i * error, "waits": 0.0, "stays": -k_p * drift}[mode[0]]
         return error, slope, drift, grows
 
-    def following(mode, y, way):
+    def following(mode, y, way, which):
+        """By the event itself, the first or the second of its mode: what is zero there has the sign of rounding."""
         error, _, drift, _ = parts(y, mode if mode[1] else ("waits", np.sign(k_p * (y[1] - y[0]) + y[2])), way)
         asked = k_p * error + y[2]
         sign = np.sign(asked)
-        if mode[0] == "falls" and sign * error < 0:
-            return "free", 0
-        if mode[0] == "falls" or (mode[0] == "free" and sign * drift > 0) or (mode[0] == "stays" and sign * drift > 0):
+        if mode[0] in ("falls", "stays"):
+            return ("free", 0) if which == 0 else ("waits", sign)
+        if mode[0] == "free" and sign * drift > 0:
             return "waits", sign
-        if mode[0] == "waits" and abs(asked) > limit * (1 + 1e-9):
+        if mode[0] == "waits" and which == 1:
             return "falls", sign
         return ("stays", sign) if sign * (k_p * drift + k_i * error) > 0 else ("free", 0)
 
@@ -136,11 +137,12 @@ def moments(rows, gains, c, limit, end, times, inertia=J):
                 at = run.sol(time)
                 found[time] = (at[0], at[2])
             t, y = run.t[-1], run.y[:, -1].copy()
-            for (_, kind), at in zip(ends, run.t_events):
+            of_mode = len(ends) - 2
+            for i, ((_, kind), at) in enumerate(zip(ends, run.t_events)):
                 if len(at) and kind == "point":
                     y[1], way = command, 0
                 elif len(at):
-                    mode = following(mode, y, way)
+                    mode = following(mode, y, way, i - of_mode)
                     seen.append(mode[0])
     return np.array([found[time] for time in times]), seen
 
