@@ -2,7 +2,7 @@
 //!
 //! All motors with their brakes are one side of one coupling, at the slewing axis by the ratio alone: J_d has their energy,
 //! M_lim ψ the work of all couplings. Dry friction of slewing is that of the support; what the gear loses is viscous friction, which the
-//! scene gives. [Ports001, 6.5.4]
+//! scene gives; a wind of the scene's own blows on the areas of the support. [Ports001, 6.5.4]
 
 use std::sync::Arc;
 
@@ -126,9 +126,9 @@ fn areas(of: &mut dyn FnMut(&'static Symbol) -> Option<f64>) -> Option<[f64; 2]>
 pub type ReadBeside =
     fn(&Values, &[(&'static str, &Values)], &Borne, f64, &mut Vec<Diagnostic>) -> Option<Arc<dyn MovedBeside>>;
 
-/// Slewing in motion, by what a support and its drive come to: inertia, reach and load at the start, slope, wind areas where there is air, the greatest friction
-/// of the load case of heating over the whole range, and of the coupling the greatest moment of all load cases. Mistakes go to
-/// `found`.
+/// Slewing in motion, by what a support and its drive come to: inertia, reach and load at the start, slope, wind areas where there
+/// is air, the greatest friction of the load case of heating over the whole range, and of the coupling the greatest moment of all
+/// load cases. Mistakes go to `found`.
 pub fn moved<T: Described>(
     this: &Description<T>,
     read: ReadBeside,
