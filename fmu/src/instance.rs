@@ -84,34 +84,37 @@ pub enum Interface {
 /// the version of Lemnis.
 #[must_use]
 pub fn token(scene: &Scene) -> String {
-    let digest = Sha256::new()
-        .chain_update(scene.text())
-        .chain_update(env!("CARGO_PKG_VERSION"))
-        .finalize();
-    let hex: String = digest[..16].iter().map(|byte| format!("{byte:02x}")).collect();
-    format!(
-        "{{{}-{}-{}-{}-{}}}",
-        &hex[..8],
-        &hex[8..12],
-        &hex[12..16],
-        &hex[16..20],
-        &hex[20..]
-    )
+    identity(scene).0
 }
 
 /// Version of Lemnis and SHA-256 of the scene's text, in the order of [`layout::STRINGS`].
 #[must_use]
 pub fn strings(scene: &Scene) -> [String; 2] {
-    let digest = Sha256::digest(scene.text());
-    let hash = digest.iter().map(|byte| format!("{byte:02x}")).collect();
-    [env!("CARGO_PKG_VERSION").to_owned(), hash]
+    identity(scene).1
+}
+
+/// Both of them.
+fn identity(scene: &Scene) -> (String, [String; 2]) {
+    let version = env!("CARGO_PKG_VERSION");
+    let text = Sha256::new().chain_update(scene.text());
+    let digest = hex(&text.clone().chain_update(version).finalize()[..16]);
+    let groups = [0..8, 8..12, 12..16, 16..20, 20..32].map(|group| &digest[group]);
+    (
+        format!("{{{}}}", groups.join("-")),
+        [version.to_owned(), hex(&text.finalize())],
+    )
+}
+
+fn hex(bytes: &[u8]) -> String {
+    let digits = bytes.iter().flat_map(|byte| [byte >> 4, byte & 15]);
+    digits.filter_map(|digit| char::from_digit(digit.into(), 16)).collect()
 }
 
 /// A model under a simulator's control.
 pub struct Instance {
     model: Model,
-    /// For derivatives, made once.
-    tangent: RefCell<Tangent>,
+    /// For derivatives, made when the first one is asked for.
+    tangent: RefCell<Option<Tangent>>,
     interface: Interface,
     token: String,
     /// Truth values and enumerations by index, as they were at the last event: they may change at events only.
@@ -167,7 +170,9 @@ impl Instance {
         File::open(&path)
             .and_then(|file| file.take(LONGEST as u64 + 1).read_to_end(&mut text))
             .map_err(unreadable)?;
-        let scene = Scene::parse(&String::from_utf8_lossy(&text)).map_err(|diagnostics| {
+        let text =
+            String::from_utf8(text).unwrap_or_else(|error| String::from_utf8_lossy(error.as_bytes()).into_owned());
+        let scene = Scene::parse(&text).map_err(|diagnostics| {
             let lines: Vec<String> = diagnostics.iter().map(ToString::to_string).collect();
             Fault::new(format!("{}: {}", path.display(), lines.join("; ")))
         })?;
@@ -177,7 +182,7 @@ impl Instance {
     /// # Errors
     /// The scene's model cannot be built, or `token` belongs to another scene or version.
     pub fn new(scene: &Scene, token: &str, interface: Interface) -> Result<Instance, Fault> {
-        let expected = self::token(scene);
+        let (expected, strings) = identity(scene);
         if token != expected {
             return refuse(format!(
                 "the token {token:?} does not belong to this scene and version: {expected} was expected"
@@ -202,7 +207,7 @@ impl Instance {
             held: held.clone(),
         };
         Ok(Instance {
-            tangent: RefCell::new(model.tangent(&|_| 0.0)),
+            tangent: RefCell::new(None),
             model,
             interface,
             token: expected,
@@ -214,7 +219,7 @@ impl Instance {
             initial,
             saved: Vec::new(),
             last_handle: 0,
-            strings: strings(scene).map(|text| CString::new(text).expect("digits and letters")),
+            strings: strings.map(|text| CString::new(text).expect("digits and letters")),
         })
     }
 
@@ -633,12 +638,12 @@ impl Instance {
             knowns.iter().zip(seed).filter(of).map(|(_, rate)| rate).sum()
         };
         let mut tangent = self.tangent.borrow_mut();
-        self.model.tangent_into(&rate, &mut tangent);
+        let tangent = self.along(&rate, &mut tangent);
         let given = sensitivity.len();
         let mut rest = sensitivity.iter_mut();
         for &unknown in unknowns {
             for index in self.unknown(unknown)? {
-                *rest.next().ok_or_else(|| too_few(given))? = self.model.derivative(&mut tangent, index)?;
+                *rest.next().ok_or_else(|| too_few(given))? = self.model.derivative(tangent, index)?;
             }
         }
         expect_length(given, given - rest.len())
@@ -660,18 +665,26 @@ impl Instance {
         for (&known, sensitivity) in knowns.iter().zip(sensitivity) {
             let known = self.known(known)?;
             let one = |quantity| f64::from(quantity == known);
-            self.model.tangent_into(&one, &mut tangent);
+            let tangent = self.along(&one, &mut tangent);
             let mut weights = seed.iter();
             *sensitivity = 0.0;
             for &unknown in unknowns {
                 for index in self.unknown(unknown)? {
                     let weight = weights.next().ok_or_else(|| too_few(seed.len()))?;
-                    *sensitivity += weight * self.model.derivative(&mut tangent, index)?;
+                    *sensitivity += weight * self.model.derivative(tangent, index)?;
                 }
             }
             expect_length(seed.len(), seed.len() - weights.len())?;
         }
         Ok(())
+    }
+
+    /// The tangent along a direction, made where there is none yet.
+    fn along<'a>(&self, seed: &dyn Fn(Quantity) -> f64, made: &'a mut Option<Tangent>) -> &'a mut Tangent {
+        if let Some(tangent) = made {
+            self.model.tangent_into(seed, tangent);
+        }
+        made.get_or_insert_with(|| self.model.tangent(seed))
     }
 
     /// The quantity that a derivative is taken by.

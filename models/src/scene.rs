@@ -1,5 +1,7 @@
 //! A scene: the text file that describes a crane.
 
+use std::sync::Arc;
+
 use toml::de::DeTable;
 
 use crate::balance::task::Search;
@@ -105,7 +107,7 @@ static REVISION: &[Key] = &[
 /// A checked scene.
 #[derive(Clone, Debug)]
 pub struct Scene {
-    text: String,
+    text: Arc<str>,
     name: String,
     title: Text,
     project: Vec<(&'static str, Text)>,
@@ -144,7 +146,7 @@ impl Scene {
         Scene::read(text).map(|(scene, _)| scene)
     }
 
-    fn read(text: &str) -> Result<(Scene, Values), Vec<Diagnostic>> {
+    fn read(text: &str) -> Result<(Scene, Arc<Values>), Vec<Diagnostic>> {
         if text.len() > LONGEST {
             let message = format!("the scene has {} bytes, at most {LONGEST} are read", text.len());
             return Err(vec![
@@ -177,14 +179,15 @@ impl Scene {
         let gravity = gravity(text, &values, &mut found);
         values.weigh(gravity);
         let mechanism = mechanism(table.get_ref(), &values, gravity, &mut found);
-        let project = values.table("project");
         let book = mechanism
             .as_ref()
             .map(|(_, mechanism)| Book::new(&values, &**mechanism, &mut found));
         match mechanism.zip(book) {
             Some(((table, mechanism), book)) if found.is_empty() => {
+                let (shared, values): (Arc<str>, _) = (text.into(), Arc::new(values));
+                let project = values.table("project");
                 let scene = Scene {
-                    text: text.to_owned(),
+                    text: shared.clone(),
                     name,
                     title: values.words("title").cloned().unwrap_or_default(),
                     project: PROJECT
@@ -193,7 +196,7 @@ impl Scene {
                         .collect(),
                     revisions: project.map_or_else(Vec::new, revisions),
                     book,
-                    given: Origins::read(text, &values),
+                    given: Origins::new(shared, values.clone()),
                     gravity,
                     accuracy: Vec::new(),
                     request: None,

@@ -409,8 +409,9 @@ fn lines(scene: &str, text: &str, span: Range<usize>) -> Vec<(String, Range<usiz
     let mut start = span.start;
     for line in scene.get(span.clone()).unwrap_or_default().split_inclusive('\n') {
         let content = line.trim().trim_matches(['"', '\'']).trim();
-        if let Some(at) = line.find(content).filter(|_| filled(content)) {
-            places.push((content, start + at..start + at + content.len()));
+        if filled(content) {
+            let at = start + content.as_ptr().addr() - line.as_ptr().addr();
+            places.push((content, at..at + content.len()));
         }
         start += line.len();
     }

@@ -1,6 +1,7 @@
 //! Where a scene gives its quantities.
 
 use std::ops::Range;
+use std::sync::{Arc, OnceLock};
 
 use crate::kernel::schema::{GivenNumber, Key, Value, Values};
 use crate::kernel::symbol::Symbol;
@@ -50,13 +51,27 @@ pub struct Written {
 }
 
 /// All quantities of a scene, in the order of the keys, and where they are given; and everything that it says, in the
-/// order of its lines.
+/// order of its lines. Looked for when the first is asked for: an FMU runs without them.
 #[derive(Clone, Debug)]
-pub struct Origins(Vec<Known>, Vec<Written>);
+pub struct Origins {
+    text: Arc<str>,
+    values: Arc<Values>,
+    found: OnceLock<(Vec<Known>, Vec<Written>)>,
+}
 
 impl Origins {
     /// Of a scene's text with its values.
-    pub fn read(text: &str, values: &Values) -> Origins {
+    pub fn new(text: Arc<str>, values: Arc<Values>) -> Origins {
+        let found = OnceLock::new();
+        Origins { text, values, found }
+    }
+
+    fn found(&self) -> &(Vec<Known>, Vec<Written>) {
+        self.found.get_or_init(|| self.read())
+    }
+
+    fn read(&self) -> (Vec<Known>, Vec<Written>) {
+        let Origins { text, values, .. } = self;
         let (mut found, lines) = (Vec::new(), Lines::new(text));
         quantities(values, "", "", &mut found);
         let known = found.into_iter().map(|(key, symbol, value, placed)| Known {
@@ -82,37 +97,37 @@ impl Origins {
             line: lines.at(&place),
             text: shortened(&text[place]),
         });
-        Origins(known.collect(), written.collect())
+        (known.collect(), written.collect())
     }
 
     /// What the scene says, in the order of its lines.
     #[must_use]
     pub fn written(&self) -> &[Written] {
-        &self.1
+        &self.found().1
     }
 
     /// Where the scene gives the quantity with a key such as `luffing.X_1`.
     #[must_use]
     pub fn of(&self, key: &str) -> Option<&Origin> {
-        self.0.iter().find(|known| known.key == key)?.given.as_ref()
+        self.found().0.iter().find(|known| known.key == key)?.given.as_ref()
     }
 
     /// A quantity by its key, from the top of the scene or as the scene has it.
     #[must_use]
     pub fn known(&self, key: &str) -> Option<&Known> {
         let own = |known: &&Known| known.given.as_ref().is_some_and(|origin| origin.key == key);
-        let known = self.0.iter().find(|known| known.key == key);
-        known.or_else(|| self.0.iter().find(own))
+        let known = self.found().0.iter().find(|known| known.key == key);
+        known.or_else(|| self.found().0.iter().find(own))
     }
 
     /// All quantities, in the order of the keys.
     pub fn all(&self) -> impl Iterator<Item = &Known> {
-        self.0.iter()
+        self.found().0.iter()
     }
 
     /// The quantities of a table, of each of a list of tables with its number, or the one with this key.
     pub fn within<'a>(&'a self, path: &'a str) -> impl Iterator<Item = (Option<u16>, &'a Known)> {
-        self.0.iter().filter_map(move |known| {
+        self.found().0.iter().filter_map(move |known| {
             let rest = known.key.strip_prefix(path)?;
             let (number, name) = rest.split_once('.').unwrap_or((rest, ""));
             let number = number.strip_prefix('[').and_then(|number| number.strip_suffix(']'));
@@ -124,7 +139,8 @@ impl Origins {
     /// Whether a weight is given as a mass.
     #[must_use]
     pub fn has_masses(&self) -> bool {
-        self.0
+        self.found()
+            .0
             .iter()
             .filter_map(|known| known.given.as_ref())
             .any(|origin| origin.mass.is_some())
@@ -148,15 +164,18 @@ fn quantities(
         _ => format!("{path}.{}", key.name),
     };
     for key in values.keys {
-        let (path, shown) = (joined(path, key), joined(shown, key));
+        let entry = values.entry(key.name);
+        if entry.is_none() && key.usual.is_none() {
+            continue;
+        }
+        let path = joined(path, key);
         let mut add =
             |value, placed| found.extend(key.number().map(|(symbol, _)| (path.clone(), symbol, value, placed)));
-        let Some((value, place)) = values.entry(key.name) else {
-            if let Some(value) = key.usual {
-                add(value, None);
-            }
+        let Some((value, place)) = entry else {
+            key.usual.into_iter().for_each(|value| add(value, None));
             continue;
         };
+        let shown = joined(shown, key);
         match value {
             Value::Number(number) => {
                 let mut number = number.clone();

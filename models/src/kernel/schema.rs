@@ -258,8 +258,9 @@ pub struct Values {
 /// What scenes ask for hundreds of times is not inlined.
 impl Values {
     pub(super) fn entry(&self, name: &str) -> Option<(&Value, &Range<usize>)> {
-        let found = self.entries.iter().find(|(known, ..)| *known == name);
-        found.map(|(_, value, place)| (value, place))
+        let at = self.entries.partition_point(|(known, ..)| *known < name);
+        let (_, value, place) = self.entries.get(at).filter(|(known, ..)| *known == name)?;
+        Some((value, place))
     }
 
     /// In SI; what is usual, or `None`, where the scene does not give it.

@@ -100,14 +100,15 @@ impl Described for LuffingScene {
 
     /// Checks that its cases exist all over the working range, and the mechanism at each published row.
     fn check(luffing: &mut Luffing, v: &Values, found: &mut Vec<Diagnostic>) {
-        resistances::told::check::<DoubleLink>(&luffing.standing(), &luffing.cases, v, found);
+        let mut standing = luffing.standing();
+        resistances::told::check::<DoubleLink>(&standing, &luffing.cases, v, found);
         if luffing.moving.is_some() {
-            drive::hauling::check(&mut luffing.standing(), v, found);
+            drive::hauling::check(&mut standing, v, found);
         }
         if let Some((published, table)) = luffing.published.as_ref().zip(v.table("published")) {
             // The first line has the names.
             let places = table.texts("values").iter().skip(1);
-            let compared = compared(published, &mut luffing.standing());
+            let compared = compared(published, &mut standing);
             for (row, (_, place)) in compared.into_iter().zip(places) {
                 if let Err(fault) = row {
                     let message = format!("a published row of which there is none: {}", fault.message);
