@@ -35,7 +35,7 @@ STEPS = [
       "--skip", "numbers_of_formulas_keep"]),
     [str(PYTHON), "python/backend.py"],
     # A file's tests share what they make, and stay together; the longest files begin (`conftest.py`).
-    [str(PYTHON), "-m", "pytest", "-q", "-rs", "-n", "auto", "--dist", "loadfile", "--no-loadscope-reorder", "tests"],
+    [str(PYTHON), "-m", "pytest", "-q", "-rs", "--durations=25", "-n", "auto", "--dist", "loadfile", "--no-loadscope-reorder", "tests"],
 ]
 
 

@@ -29,8 +29,8 @@ def shaft(folder, name, gains, **keys):
     return written(folder, name, SHAFT.format(name=name, k_p=k_p, k_i=k_i, **keys))
 
 
-def told(rows):
-    return '{ between = "steps", over = [' + ", ".join(f'["{t} s", "{v} rad/s"]' for t, v in rows) + "] }"
+def told(rows, between="steps", unit="rad/s"):
+    return f'{{ between = "{between}", over = [' + ", ".join(f'["{t} s", "{v} {unit}"]' for t, v in rows) + "] }"
 
 
 def behind(t, k_p, k_i, inertia=J):
@@ -43,6 +43,36 @@ def behind(t, k_p, k_i, inertia=J):
     if square > 0.0:
         return (np.exp((own - decay) * t) - np.exp(-(own + decay) * t)) / (2 * own)
     return np.exp(-decay * t) * np.sin(own * t) / own
+
+
+def chased(rows, ramp):
+    """Corners of a set point that goes from zero towards a command straight between rows, no faster than its ramp."""
+    corners, at = [(rows[0][0], 0.0)], 0.0
+    for (start, value), (end, following) in zip(rows, [*rows[1:], (np.inf, rows[-1][1])]):
+        slope = (following - value) / (end - start)
+        left = value - at
+        if left:
+            # The distance left changes by the slope less what the set point does towards the command.
+            way = np.sign(left)
+            meets = start + abs(left) / (ramp - way * slope) if ramp > way * slope else np.inf
+            if meets >= end:
+                at += way * ramp * (end - start)
+                corners.append((end, at))
+                continue
+            at = value + slope * (meets - start)
+            corners.append((meets, at))
+            start, value = meets, at
+        if not np.isfinite(end):
+            continue
+        at = following if abs(slope) <= ramp else value + np.sign(slope) * ramp * (end - start)
+        corners.append((end, at))
+    return corners
+
+
+def lagging(corners, times, k_p, k_i, inertia=J):
+    """Error behind a set point with corners, in closed form: each change of its slope adds its own."""
+    slopes = [0.0, *((b[1] - a[1]) / (b[0] - a[0]) for a, b in zip(corners, corners[1:])), 0.0]
+    return sum((after - before) * behind(times - t, k_p, k_i, inertia) for (t, _), before, after in zip(corners, slopes, slopes[1:]))
 
 
 @pytest.fixture(scope="module")
@@ -66,6 +96,56 @@ def test_a_step_of_the_command_in_closed_form(shafts, standard, kind, case):
     apart = [np.abs(run["omega_rsl"] - point).max(), np.abs(run["omega_sl"] - (point - error)).max()]
     print(standard, kind, case, apart)
     assert max(apart) <= 1e-9
+
+
+# Straight commands, in rad/s: slower than the ramp; faster, so that the set point falls behind and catches up on the next piece;
+# off the set point at the start.
+STRAIGHT = [(0.0, 0.0), (4.0, 0.08), (6.0, 0.08), (7.0, -0.06), (14.0, 0.01), (16.0, 0.01)]
+AHEAD = [(0.0, 0.05), (5.0, 0.1), (6.0, 0.02), (6.5, 0.1), (12.0, 0.1)]
+
+
+def test_corners_of_a_set_point_behind_straight_commands():
+    """By hand: 0.08 − 0.03 (t − 6) = −0.06 + 0.01 (t − 7) at t = 9.75; 0.03 t = 0.05 + 0.01 t at t = 2.5; from 0.1 at 5 s the set
+    point falls to 0.07 at 6 s; at 6 + 0.05/0.19 s it meets the command that comes back, and rises."""
+    assert np.array(chased(STRAIGHT, A)) == pytest.approx(np.array([(0, 0), (4, 0.08), (6, 0.08), (7, 0.05), (9.75, -0.0325),
+                                                                    (14, 0.01), (16, 0.01)]), abs=1e-15)
+    t = 6 + 0.05 / 0.19
+    at = 0.07 - 0.03 * (t - 6)
+    assert np.array(chased(AHEAD, A)) == pytest.approx(np.array([(0, 0), (2.5, 0.075), (5, 0.1), (6, 0.07), (t, at),
+                                                                 (6.5, at + 0.03 * (6.5 - t)),
+                                                                 (6.5 + (0.1 - at - 0.03 * (6.5 - t)) / 0.03, 0.1), (12, 0.1)]),
+                                                       abs=1e-14)
+
+
+@pytest.mark.parametrize("rows", [STRAIGHT, AHEAD], ids=["straight", "ahead"])
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("standard", ENDS)
+def test_straight_commands_in_closed_form(tmp_path, standard, kind, rows):
+    """The set point keeps up with a command that goes straight, as far as its ramp allows."""
+    gains = DAMPED["under"]
+    path = shaft(tmp_path, "Straight", gains, command=told(rows, "linear"))[standard]
+    run = simulate_fmu(path, fmi_type=kind, stop_time=18.0, output_interval=0.1, relative_tolerance=1e-12,
+                       output=["omega_sl", "omega_rsl", "omega_csl"], record_events=False)
+    t, corners = run["time"], chased(rows, A)
+    point = np.interp(t, *zip(*corners))
+    apart = [np.abs(run["omega_rsl"] - point).max(), np.abs(run["omega_sl"] - (point - lagging(corners, t, *gains))).max(),
+             np.abs(run["omega_csl"] - np.interp(t, *zip(*rows))).max()]
+    print(standard, kind, apart)
+    assert max(apart) <= 1e-9
+
+
+def test_straight_commands_are_the_limit_of_sampled_ones(tmp_path):
+    """At the limit of the moment too; over two decades of the cycle."""
+    last = {}
+    for cycle in (None, 0.1, 0.01, 1e-3):
+        name = f"Straight{'' if cycle is None else round(cycle * 1e4)}"
+        path = shaft(tmp_path, name, (1e6, 5e6), cycle="" if cycle is None else f'T_csl = "{cycle} s"', limit=80.0,
+                     command=told(STRAIGHT, "linear"))["FMI 3"]
+        last[cycle] = simulate_fmu(path, stop_time=16.0, output_interval=0.5, output=["omega_sl"], record_events=False)["omega_sl"]
+    off = [np.abs(last[cycle] - last[None]).max() for cycle in (0.1, 0.01, 1e-3)]
+    orders = -np.diff(np.log10(off))
+    print(off, orders)
+    assert np.abs(orders - 1.0).max() <= 0.1
 
 
 def test_the_command_acts_at_events_and_there_are_two_states_more(shafts):
@@ -191,17 +271,21 @@ def test_sampled_controllers_tend_to_it_at_first_order(tmp_path, case):
     assert np.abs(orders - 1.0).max() <= 0.1
 
 
+@pytest.mark.parametrize("between", ["linear", "steps"])
 @pytest.mark.parametrize("standard", ENDS)
-def test_any_communication_step_gives_the_same_bits(tmp_path, standard):
-    """Of the ready scene without a cycle, its command in steps, with friction that sticks and a load that swings."""
-    text = re.sub(r'(?m)^T_csl.*\n', "", SPEED.read_text(encoding="utf-8")).replace('"linear", shaped = "8.51 s"', '"steps"')
+def test_any_communication_step_gives_the_same_bits(tmp_path, standard, between):
+    """Of the ready scene without a cycle, with friction that sticks and a load that swings: its command straight, or in steps."""
+    text = re.sub(r'(?m)^T_csl.*\n', "", SPEED.read_text(encoding="utf-8"))
+    if between == "steps":
+        text = text.replace('"linear", shaped = "8.51 s"', '"steps"')
     found = same_bits(written(tmp_path, "SlewingBySpeed", text)[standard], 3700, 21)
     assert found[3700] != found[0]
 
 
-def test_a_saved_state_goes_on_in_the_same_bits(tmp_path):
+@pytest.mark.parametrize("command", [f'"{OMEGA} rad/s"', told([(0.0, 0.0), (3.0, 0.1), (9.0, 0.0)], "linear")], ids=["held", "straight"])
+def test_a_saved_state_goes_on_in_the_same_bits(tmp_path, command):
     gains, c, limit, _ = LIMITED["stays"]
-    path = shaft(tmp_path, "Saved", gains, friction=c / 1e3, limit=limit / 1e3)["FMI 3"]
+    path = shaft(tmp_path, "Saved", gains, friction=c / 1e3, limit=limit / 1e3, command=command)["FMI 3"]
     names = ["omega_sl", "M_sl", "omega_rsl", "epsilon_sl"]
     fmu = Stepped(path)
     fmu.run([0.0, 3.1], names)
@@ -267,9 +351,12 @@ def test_the_energy_of_the_drive_is_kinetic_energy_and_friction(tmp_path, kind):
     assert work == pytest.approx(J * run["omega_sl"][-1] ** 2 / 2, rel=1e-6)
 
 
+@pytest.mark.parametrize("between", ["linear", "steps"])
 @pytest.mark.parametrize("language", ["en", "zh", "bg"])
-def test_the_book_has_the_law(tmp_path, language):
-    text = re.sub(r'(?m)^T_csl.*\n', "", SPEED.read_text(encoding="utf-8")).replace('"linear", shaped = "8.51 s"', '"steps"')
+def test_the_book_has_the_law(tmp_path, language, between):
+    text = re.sub(r'(?m)^T_csl.*\n', "", SPEED.read_text(encoding="utf-8"))
+    if between == "steps":
+        text = text.replace('"linear", shaped = "8.51 s"', '"steps"')
     (tmp_path / "scene.toml").write_text(text, encoding="utf-8")
     lemnis("book", tmp_path / "scene.toml", "--format", "typ", "--language", language, "--output", tmp_path)
     [page] = tmp_path.glob("*.typ")

@@ -14,7 +14,7 @@ from scipy.integrate import solve_ivp
 
 from conftest import ROOT, lemnis
 from test_commands import ENDS, Stepped, same_bits, written
-from test_control_continuous import KINDS, behind, moments
+from test_control_continuous import KINDS, behind, chased, moments, told as straight
 from test_crane_control import HOIST, LUFFING, SLEWING, TABLES, TEXT, without_control
 
 SEEN = ["theta_1", "omega_1", "psi_sl", "omega_sl", "l_R", "v_R", "x_Q", "y_Q", "z_Q"]
@@ -82,13 +82,8 @@ class Outside:
         return np.array(out)
 
 
-def followed(path, axes, rows, times, held):
-    """The states at the times: every set point goes at its acceleration to its command and stays, e = s (v_r − v),
-    M = K_p e + K_i ∫e dt from the moments that hold the crane at first."""
-    plant = Outside(path, {axis["drive"]: moment + 1e3 * np.sign(own[0][1]) * axis["sense"]
-                           for axis, own, moment in zip(axes, rows, held)})
-    found = plant.names
-    speeds = [found.index(axis["speed"]) for axis in axes]
+def stepped(axes, rows):
+    """Corners of set points behind commands in steps."""
     set_points = []
     for axis, own in zip(axes, rows):
         knots = [(0.0, 0.0)]
@@ -99,6 +94,16 @@ def followed(path, axes, rows, times, held):
             assert reached < stop
             knots.append((reached, command))
         set_points.append(np.array(knots).T)
+    return set_points
+
+
+def followed(path, axes, set_points, times, held):
+    """The states at the times: every set point goes at its acceleration to its command and stays, e = s (v_r − v),
+    M = K_p e + K_i ∫e dt from the moments that hold the crane at first."""
+    plant = Outside(path, {axis["drive"]: moment + 1e3 * np.sign(points[1][1]) * axis["sense"]
+                           for axis, points, moment in zip(axes, set_points, held)})
+    found = plant.names
+    speeds = [found.index(axis["speed"]) for axis in axes]
     ends = sorted({t for knots in set_points for t in knots[0]} | {times[-1]})
 
     def law(t, y):
@@ -123,16 +128,27 @@ def followed(path, axes, rows, times, held):
     return dict(zip(found, whole.T)) | {axis["drive"]: forces[:, i] for i, axis in enumerate(axes)}
 
 
-def test_all_drives_at_once_are_the_law_around_the_crane(tmp_path):
+# Straight commands: slower than the ramps, and faster.
+LINES = ([(0.0, 0.0), (5.0, 0.008), (8.0, -0.002), (12.0, 0.0)], [(0.0, 0.0), (1.0, 0.06), (6.0, 0.04), (12.0, 0.04)],
+         [(0.0, -0.1), (4.0, -0.5), (5.0, 0.3), (12.0, 0.1)])
+
+
+@pytest.mark.parametrize("between", ["steps", "linear"])
+def test_all_drives_at_once_are_the_law_around_the_crane(tmp_path, between):
     """Without dry friction and within their limits, in space, on a rope that gives way; all of range to 1e-7."""
     axes, times = (LUFFING, SLEWING, HOIST), np.arange(0.0, 12.01, 0.25)
-    paths = written(tmp_path, "PortalBySpeed", by_speed(**SMOOTH))
+    text, points = by_speed(**SMOOTH), stepped(axes, ROWS)
+    if between == "linear":
+        for name, rows, unit in zip(("omega_cA", "omega_csl", "v_ch"), LINES, UNITS):
+            text = put(text, rf"^{name} = \{{.*?\}}$", f"{name} = {straight(rows, between, unit)}")
+        points = [np.array(chased(rows, axis["ramp"])).T for rows, axis in zip(LINES, axes)]
+    paths = written(tmp_path, "PortalBySpeed", text)
     at_rest = Stepped(paths["FMI 3"])
     held = at_rest.get(["M_A", "M_sl", "M_Mh"])
     at_rest.close()
     (tmp_path / "plant").mkdir()
     plant = written(tmp_path / "plant", "PortalBySpeed", without_control(by_speed(**SMOOTH)))["FMI 3"]
-    wanted = followed(plant, axes, ROWS, times, held)
+    wanted = followed(plant, axes, points, times, held)
     names = [*SEEN, "M_A", "M_sl", "M_Mh"]
     for standard, path in paths.items():
         assert not validate_fmu(path)

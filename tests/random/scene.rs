@@ -102,16 +102,6 @@ fn maker(mechanism: &str) -> Option<Maker> {
     }
 }
 
-/// Whether a controller in a table, or in one of its tables, has no cycle: its set points go by steps.
-fn unsampled(table: &Table) -> bool {
-    let mut tables = table.iter().filter_map(|(name, value)| Some((name, value.as_table()?)));
-    let free = |(name, inner): (&String, &Table)| {
-        let sampled = inner.keys().any(|key| key.starts_with("T_c"));
-        name == "control" && !sampled || unsampled(inner)
-    };
-    tables.any(free)
-}
-
 /// A random scene.
 #[derive(Clone, Debug)]
 pub struct Case {
@@ -138,8 +128,7 @@ impl Case {
             mechanism == "slewing" && !matches!(made.get("fidelity").and_then(Value::as_str), Some("rigid" | "swing"));
         if draw.coin(0.2) && !stands {
             let oil = matches!(made.get("fidelity").and_then(Value::as_str), Some("hydraulic" | "auto"));
-            let steps = oil || unsampled(&made);
-            draw.tell_over_time(keys, &mut made, steps);
+            draw.tell_over_time(keys, &mut made, oil);
         }
         let alone = MECHANISMS.iter().filter(|other| other.table == mechanism).count() == 1;
         let names = |key: &Key| key.name == KIND && matches!(key.kind, Kind::Choice(of) if of.contains(&entry.kind));
@@ -374,7 +363,7 @@ impl Draw {
         }
     }
 
-    /// Tells over time what may be told so, no greater than it is; in steps where it must be so, of oil and of a controller without samples.
+    /// Tells over time what may be told so, no greater than it is; in steps where it must be so, beside oil.
     fn tell_over_time(&mut self, keys: &'static [Key], made: &mut Table, steps: bool) {
         for key in keys {
             if let (Kind::Table(keys), Some(Value::Table(inner))) = (key.kind, made.get_mut(key.name)) {

@@ -21,11 +21,19 @@ impl Ramp {
     }
 }
 
+/// An input that a scene tells over time: which variable it is, and where its rate stands, if anything follows from that.
+#[derive(Clone)]
+pub(super) struct Told {
+    pub(super) source: Source,
+    pub(super) index: usize,
+    pub(super) rate: Option<Source>,
+    pub(super) course: Course,
+}
+
 /// What is commanded over time.
 #[derive(Clone)]
 pub(super) struct Commands {
-    /// Each with the variable that it is.
-    pub(super) told: Arc<[(Source, usize, Course)]>,
+    pub(super) told: Arc<[Told]>,
     /// When any of them goes on in another way, in s.
     pub(super) breaks: Arc<[f64]>,
     pub(super) now: Followed,
@@ -78,20 +86,17 @@ impl Followed {
 }
 
 impl Commands {
-    /// Value and slope of each now, at a time in s.
-    pub(super) fn at(&self, time: f64) -> impl Iterator<Item = Ramp> {
+    /// Value and slope of each now, at a time in s, and where its rate stands.
+    pub(super) fn at(&self, time: f64) -> impl Iterator<Item = (Ramp, Option<Source>)> {
         let begun = self
             .now
             .passed
             .checked_sub(1)
             .map_or(f64::NEG_INFINITY, |last| self.breaks[last]);
-        self.told.iter().map(move |(source, _, course)| {
-            let [value, slope] = course.at(begun, time);
-            Ramp {
-                source: *source,
-                value,
-                slope,
-            }
+        self.told.iter().map(move |told| {
+            let [value, slope] = told.course.at(begun, time);
+            let source = told.source;
+            (Ramp { source, value, slope }, told.rate)
         })
     }
 
@@ -117,7 +122,7 @@ impl Commands {
     }
 
     pub(super) fn is_told(&self, index: usize) -> bool {
-        self.told.iter().any(|(_, told, _)| *told == index)
+        self.told.iter().any(|told| told.index == index)
     }
 
     /// The end of the last command, in s.

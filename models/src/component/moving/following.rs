@@ -3,8 +3,9 @@
 //! dropped: no communication step changes a bit of what follows. A command has its new value from a break on.
 
 use crate::component::moving::MovingComponent;
-use crate::component::moving::commands::{Commands, Followed, Ramp};
+use crate::component::moving::commands::{Commands, Followed, Ramp, Told};
 use crate::component::running::Running;
+use crate::component::stages::Source;
 use crate::component::standing::VariablePlace;
 use crate::kernel::course::Course;
 use crate::kernel::number::short;
@@ -34,17 +35,22 @@ impl MovingComponent {
                 }
                 _ => None,
             });
-            told.extend(inputs.next().map(|(source, index)| (source, index, course.clone())));
+            told.extend(inputs.next().map(|(source, index)| Told {
+                source,
+                index,
+                rate: self.rate_of(symbol),
+                course: course.clone(),
+            }));
         }
         if told.is_empty() {
             return Ok(self);
         }
-        for (_, index, _) in &told {
+        for Told { index, .. } in &told {
             self.standing.follow_commands(*index);
         }
         let mut breaks: Vec<f64> = told
             .iter()
-            .flat_map(|(.., course)| course.rows.iter().map(|row| row[0]))
+            .flat_map(|told| told.course.rows.iter().map(|row| row[0]))
             .collect();
         breaks.sort_by(f64::total_cmp);
         breaks.dedup();
@@ -57,12 +63,21 @@ impl MovingComponent {
         Ok(self)
     }
 
+    /// Where the rate of a command stands, of which something follows: by its name, as that of a state.
+    fn rate_of(&self, command: &Symbol) -> Option<Source> {
+        let rate = format!("der({})", command.id);
+        let all = self.standing.part().sources();
+        let own =
+            |(source, (symbol, _)): &(Source, Quantity)| symbol.id == rate && self.standing.memory().contains(source);
+        all.into_iter().find(own).map(|(source, _)| source)
+    }
+
     /// The same with its commands as inputs.
     #[must_use]
     pub fn freed(&self) -> MovingComponent {
         let mut free = self.clone();
         if let Some(commands) = free.commands.take() {
-            for (_, index, _) in commands.told.iter() {
+            for Told { index, .. } in commands.told.iter() {
                 free.standing.free(*index);
             }
         }
@@ -73,7 +88,7 @@ impl MovingComponent {
     #[must_use]
     pub fn told(&self) -> Vec<(usize, Name)> {
         let told = self.commands.iter().flat_map(|commands| commands.told.iter());
-        let named = told.map(|(_, index, _)| {
+        let named = told.map(|Told { index, .. }| {
             let (symbol, number) = self.standing.variables()[*index].quantity();
             (*index, (symbol.id, number))
         });
@@ -83,10 +98,13 @@ impl MovingComponent {
     /// Puts the commands of a time (s), which is no later than the next break.
     pub(super) fn command(&mut self, time: f64) {
         let Some(commands) = &self.commands else { return };
-        for ramp in commands.at(time) {
+        for (ramp, rate) in commands.at(time) {
             let part = self.standing.part_mut();
-            if part.take(ramp.source) != ramp.value {
-                part.put(ramp.source, ramp.value);
+            let all = [(Some(ramp.source), ramp.value), (rate, ramp.slope)];
+            for (source, value) in all.into_iter().filter_map(|(source, value)| Some((source?, value))) {
+                if part.take(source) != value {
+                    part.put(source, value);
+                }
             }
         }
     }
@@ -98,7 +116,7 @@ impl MovingComponent {
             let passed = commands.breaks.partition_point(|at| *at <= time + near);
             if passed != commands.now.passed {
                 commands.now.passed = passed;
-                let first = commands.told[0].1;
+                let first = commands.told[0].index;
                 self.command(time);
                 self.carrier.changed(&mut self.standing, Some(first));
             }
@@ -117,6 +135,7 @@ impl MovingComponent {
     fn piece(&mut self, [from, to]: [f64; 2]) -> Result<(), Fault> {
         self.command(from);
         let ramps = self.commands.iter().flat_map(|commands| commands.at(from));
+        let ramps = ramps.map(|(ramp, _)| ramp);
         let ramps: Vec<Ramp> = ramps.filter(|ramp| ramp.slope != 0.0).collect();
         self.carrier.advance(&mut self.standing, [from, to], &ramps)?;
         self.command(to);
@@ -179,12 +198,12 @@ impl MovingComponent {
     /// How fast a quantity changes in a direction: one that is told over time with the time alone.
     pub(super) fn seed(&self, (symbol, number): Quantity, seed: &dyn Fn(Quantity) -> f64) -> f64 {
         let time = self.standing.time();
-        let known = |(_, index, _): &(_, usize, _)| self.standing.variables()[*index].quantity() == (symbol, number);
+        let known = |told: &Told| self.standing.variables()[told.index].quantity() == (symbol, number);
         let own = self.commands.as_ref().and_then(|commands| {
             let place = commands.told.iter().position(known)?;
             commands.at(time).nth(place)
         });
-        own.map_or_else(|| seed((symbol, number)), |ramp| ramp.slope * seed((&TIME, None)))
+        own.map_or_else(|| seed((symbol, number)), |(ramp, _)| ramp.slope * seed((&TIME, None)))
     }
 
     /// That a command which is told over time cannot be set.

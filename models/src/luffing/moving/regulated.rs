@@ -9,7 +9,7 @@ use crate::luffing::moving::driven::{Commanded, Slopes};
 use crate::luffing::moving::level::{Ahead, CraneAt, Level, Onward, first, put};
 use crate::luffing::moving::space;
 use crate::parts::control::SpeedControl;
-use crate::parts::control::continuous::Ordered;
+use crate::parts::control::continuous::{Ordered, Regime};
 use crate::parts::solver::pieces::{self, Pieces};
 use crate::parts::solver::{Count, Halt};
 
@@ -86,6 +86,14 @@ impl<const N: usize, const J: usize> Under<'_, N, J>
 where
     MovingCrane<N, J>: Struck<N, J>,
 {
+    /// What is commanded at a time since the start, in s.
+    fn speeds(&self, time: f64, past: &ByAxis<Regime>) -> ByAxis<One<f64>> {
+        ByAxis(std::array::from_fn(|i| {
+            let One(symbol, speed) = self.speeds.0[i]?;
+            Some(One(symbol, speed + past.0[i]?.slope * time))
+        }))
+    }
+
     /// What the controllers give, and all commands with it, at a time since the start, in s.
     fn given(&self, time: f64, at: &Regulated<N, J>) -> ([Option<Ordered<f64>>; AXES.len()], Commands<J>) {
         let Laws { states, past } = &at.laws;
@@ -110,9 +118,10 @@ where
         let (_, commands) = self.given(time, at);
         let accelerations = speeds::<N, J>(&self.moves(time, at, &commands).ok_or(Halt::Outside)?);
         let moving = speeds::<N, J>(&at.crane.y);
+        let commanded = self.speeds(time, &at.laws.past);
         let Laws { states, past } = &mut at.laws;
         for (i, (state, past)) in states.0.iter_mut().zip(&mut past.0).enumerate() {
-            let all = (self.control.0[i].as_ref().zip(self.speeds.0[i])).zip(state.as_mut().zip(past.as_mut()));
+            let all = (self.control.0[i].as_ref().zip(commanded.0[i])).zip(state.as_mut().zip(past.as_mut()));
             if let Some(((control, One(_, commanded)), (state, past))) = all {
                 (*state, *past) = control.decided((*state, *past), commanded, [moving[i], accelerations[i]]);
             }
@@ -159,7 +168,7 @@ where
         let (states, past) = (&at.laws.states, &at.laws.past);
         let until = until(
             self.control,
-            self.speeds,
+            &self.speeds(time, past),
             (states, past),
             &found,
             speeds::<N, J>(&moves),

@@ -1,6 +1,6 @@
 //! A controller that is not sampled: the law of [`SpeedControl::sample`] as its cycle goes to zero. Set point and integral of the
-//! error are states. The command acts at events only, so that the set point goes to it at its greatest acceleration and
-//! stays there.
+//! error are states. The set point goes to its command at its greatest acceleration and stays there: where the command holds,
+//! which acts at events only, and where it goes straight from value to value, no faster than that.
 //!
 //! At the limit the sampled rule, by which the integral waits while the error asks for more, has three limits: it waits; it
 //! falls, since the error asks for less; or it would wait and go on by turns, and then it keeps the moment that is asked for at
@@ -15,13 +15,16 @@ use crate::parts::joint::{LOOSE, above_zero};
 /// How far from its limit, as a part of it, a moment may be found where an importer has located that it meets it.
 const NEAR: f64 = 1e-6;
 
+/// How far from its command, as a part of it, a set point that has followed it may be found.
+const THERE: f64 = 1e-12;
+
 /// What the quantities of a continuous controller are called.
 #[derive(Debug, PartialEq)]
 pub struct ContinuousAxis {
     /// Set point, and integral of the error.
     pub states: [&'static Symbol; 2],
-    /// Command to which the set point goes, which way, and how the limit has the moment.
-    pub past: [&'static Symbol; 3],
+    /// Command to which the set point goes and its rate, which way it goes there, and how the limit has the moment.
+    pub past: [&'static Symbol; 4],
     /// Error, and moment asked for.
     pub law: [&'static Symbol; 2],
 }
@@ -40,8 +43,10 @@ pub struct Regulating<C = f64> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Regime<C = f64> {
     pub axis: &'static ContinuousAxis,
-    /// Command to which the set point goes.
+    /// Command to which the set point goes, as it was at the last event.
     pub target: C,
+    /// Its rate, where it goes straight from value to value.
+    pub slope: C,
     /// 1, −1, or 0 where it is there.
     pub way: C,
     /// How the limit has the moment: 0 within it, else a number with the sign of the moment.
@@ -63,10 +68,11 @@ impl<C: Copy> Regulating<C> {
 impl<C: Copy> Regime<C> {
     /// The same over another scalar.
     pub fn map<D>(&self, f: &mut dyn FnMut(&'static Symbol, C) -> D) -> Regime<D> {
-        let [target, way, hold] = self.axis.past;
+        let [target, slope, way, hold] = self.axis.past;
         Regime {
             axis: self.axis,
             target: f(target, self.target),
+            slope: f(slope, self.slope),
             way: f(way, self.way),
             hold: f(hold, self.hold),
         }
@@ -74,7 +80,7 @@ impl<C: Copy> Regime<C> {
 }
 
 by_map!(Regulating: 2);
-by_map!(Regime: 3);
+by_map!(Regime: 4);
 
 /// How the limit has the moment, with the sign of the moment where it does.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -131,6 +137,7 @@ impl Regulating {
         let past = Regime {
             axis,
             target: set,
+            slope: 0.0,
             way: 0.0,
             hold: 0.0,
         };
@@ -154,7 +161,8 @@ impl<C: Calc> SpeedControl<C> {
     /// Rate of the set point.
     fn moves(&self, past: &Regime<C>) -> C {
         match past.way.value() {
-            0.0 => C::constant(0.0),
+            0.0 if past.slope.value() == 0.0 => C::constant(0.0),
+            0.0 => past.slope,
             way => C::constant(way) * self.ramp,
         }
     }
@@ -164,7 +172,7 @@ impl<C: Calc> SpeedControl<C> {
         self.error(self.moves(past), acceleration)
     }
 
-    /// Rates of set point and integral: ±a or 0; e, or 0 where it waits, or −K_p ė/K_i where it keeps the moment at the limit.
+    /// Rates of set point and integral: ±a, or that of the command; e, or 0 where it waits, or −K_p ė/K_i where it keeps the moment at the limit.
     pub fn winding(&self, past: &Regime<C>, ordered: &Ordered<C>, acceleration: C) -> [C; 2] {
         let [proportional, integral] = self.gains;
         let grows = match Hold::of(past.hold.value()) {
@@ -187,7 +195,7 @@ impl<C: Calc> SpeedControl<C> {
     ) -> [C; 3] {
         let one = C::constant(1.0);
         let ramp = match past.way.value() {
-            _ if commanded.value() != past.target.value() => -one,
+            _ if past.slope.value() == 0.0 && commanded.value() != past.target.value() => -one,
             0.0 => one,
             way => C::constant(way) * (commanded - state.set),
         };
@@ -222,11 +230,22 @@ impl SpeedControl {
         [speed, acceleration]: [f64; 2],
     ) -> (Regulating, Regime) {
         let (mut state, mut past) = (state, past);
-        if commanded != past.target {
-            past.target = commanded;
-            past.way = way(commanded - state.set);
-        } else if past.way * (commanded - state.set) <= 0.0 && past.way != 0.0 {
-            (state.set, past.way) = (commanded, 0.0);
+        let (left, steady) = (commanded - state.set, past.slope == 0.0);
+        let other = steady && commanded != past.target;
+        let there = match past.way {
+            0.0 => left.abs() <= THERE * commanded.abs().max(state.set.abs()),
+            way => way * left <= 0.0 && !other,
+        };
+        past.target = commanded;
+        if there {
+            state.set = commanded;
+            past.way = if past.slope.abs() > self.ramp {
+                way(past.slope)
+            } else {
+                0.0
+            };
+        } else if other || past.way == 0.0 {
+            past.way = way(left);
         }
         let ordered = self.order(&state, &past, speed);
         let (hold, to) = self.held(Hold::of(past.hold), &ordered, self.drifts(&past, acceleration));

@@ -1,37 +1,22 @@
 //! A controller as scenes describe it.
 
-use crate::kernel::course::{Between, Course};
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::group::One;
 use crate::kernel::schema::Values;
-use crate::kernel::symbol::Symbol;
 use crate::parts::control::{DriveAxis, SpeedControl};
 
-/// Refuses what only samples do.
-fn without_cycle(axis: &DriveAxis, table: &Values, command: &Symbol) -> Result<(), Diagnostic> {
-    let ([_, place], [_, _, cycle, ramp, _]) = (axis.commands, axis.settings);
-    let straight = |course: &Course| course.between == Between::Linear;
-    if command == place {
-        let what = format!(
-            "{} without {}: a continuous controller goes to no place",
-            place.id, cycle.id
-        );
-        let help = format!(
-            "add {} = \"20 ms\", from one look at the place to the next; or command {}",
-            cycle.id, axis.commands[0].id
-        );
-        return Err(table.refuse(place.id, what, "only of a sampled controller", help));
-    }
-    if table.course(command.id).is_some_and(straight) {
-        let what = format!("{} goes straight from value to value, without {}", command.id, cycle.id);
-        let help = format!(
-            "set between = \"steps\": from one value to the next the set point of a continuous controller goes by {}; or add \
-             {} = \"20 ms\", its cycle",
-            ramp.id, cycle.id
-        );
-        return Err(table.refuse(command.id, what, "only of a sampled controller", help));
-    }
-    Ok(())
+/// Refuses a commanded place, to which only samples go.
+fn without_cycle(axis: &DriveAxis, table: &Values) -> Diagnostic {
+    let ([speed, place], [_, _, cycle, ..]) = (axis.commands, axis.settings);
+    let what = format!(
+        "{} without {}: a continuous controller goes to no place",
+        place.id, cycle.id
+    );
+    let help = format!(
+        "add {} = \"20 ms\", from one look at the place to the next; or command {}",
+        cycle.id, speed.id
+    );
+    table.refuse(place.id, what, "only of a sampled controller", help)
 }
 
 /// The table of a scene whose drive has a controller, within that of the drive.
@@ -41,7 +26,7 @@ impl SpeedControl {
     /// The controller of a table with its command, beside the table of the drive; `None` where there is none.
     ///
     /// # Errors
-    /// Two commands, an approach that is not whole, a moment beside it, what only samples do without a cycle.
+    /// Two commands, an approach that is not whole, a moment beside it, a place without a cycle.
     pub fn read(
         axis: &'static DriveAxis,
         of: &Values,
@@ -82,9 +67,8 @@ impl SpeedControl {
             });
         }
         let command = if to_place { place } else { speed };
-        let cycle = axis.settings[2];
-        if !table.stands(cycle.id) {
-            without_cycle(axis, table, command)?;
+        if to_place && !table.stands(axis.settings[2].id) {
+            return Err(without_cycle(axis, table));
         }
         let whole = || {
             let [k_p, k_i, cycle, ramp, limit] = axis.settings.map(|symbol| table.of(symbol));
