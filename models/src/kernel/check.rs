@@ -409,10 +409,8 @@ fn lines(scene: &str, text: &str, span: Range<usize>) -> Vec<(String, Range<usiz
     let mut start = span.start;
     for line in scene.get(span.clone()).unwrap_or_default().split_inclusive('\n') {
         let content = line.trim().trim_matches(['"', '\'']).trim();
-        if filled(content) {
-            let at = start + content.as_ptr().addr() - line.as_ptr().addr();
-            places.push((content, at..at + content.len()));
-        }
+        let at = start + content.as_ptr().addr() - line.as_ptr().addr();
+        places.extend(filled(content).then(|| (content, at..at + content.len())));
         start += line.len();
     }
     let lines: Vec<&str> = text.lines().filter(|line| filled(line)).map(str::trim).collect();
