@@ -23,7 +23,7 @@ use lemnis_models::sway::pendulum;
 use lemnis_models::unloader;
 
 /// Every mechanism with its table.
-const TABLES: [(&str, &[&Symbol]); 39] = [
+const TABLES: [(&str, &[&Symbol]); 40] = [
     ("The double-link luffing mechanism", double_link::symbols::ALL),
     (
         "The double-link luffing mechanism in motion",
@@ -77,6 +77,10 @@ const TABLES: [(&str, &[&Symbol]); 39] = [
     (
         "The trolley of a container bridge: places, speeds and forces to the sea side, hoisting upward",
         bridge::symbols::ALL,
+    ),
+    (
+        "Spreader and load of a container bridge as two bodies in motion: to the sea side and upward",
+        bridge::bodies::symbols::ALL,
     ),
     ("A load that sways under a trolley", pendulum::ALL),
     ("A crane on a hull that floats", afloat::symbols::ALL),

@@ -128,7 +128,13 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
         }
     }
     if n.text("fidelity") == Some("swing") {
-        for (name, value) in [("x_t", from), ("phi_R", 0.3 * n.draw.between(-1.0, 1.0))] {
+        // The spreader of two bodies stands on edge where sin phi_R = a_u/a_o.
+        let ropes = n.child("ropes").map(|ropes| ropes.get("a_u") / ropes.get("a_o"));
+        let most = match n.has("slings") {
+            true => 0.3_f64.min(0.5 * ropes.unwrap_or(1.0)),
+            false => 0.3,
+        };
+        for (name, value) in [("x_t", from), ("phi_R", most * n.draw.between(-1.0, 1.0))] {
             if n.has(name) {
                 n.set(name, value);
             }

@@ -32,9 +32,14 @@ const RUN_COLUMNS: [&[&Symbol]; 2] = [
     listed!(s: NUMBER, A_P, T_P, PHI_P, PHI_RUN, RHO_E, RHO_RUN, RHO_LL, RHO_G, RHO_G_RUN),
 ];
 
+const SLUNG_COLUMNS: [&[&Symbol]; 2] = [
+    listed!(s: NUMBER, X_11, X_12, X_21, X_22),
+    listed!(s: NUMBER, X_11, X_12, X_1R, X_21, X_22, X_2R),
+];
+
 /// The load on ropes of a length over that of the scene.
 fn on(given: &Given<f64>, part: f64) -> Option<(f64, Suspended<f64>)> {
-    let length = part * length(&given.reeved, &given.swaying);
+    let length = part * length(&given.reeved, &given.swaying, &given.hung);
     Some((length, Suspended::new(&given.ropes, &given.gravity, &length).ok()?))
 }
 
@@ -65,12 +70,20 @@ pub(super) fn compared<T: Described>([plain, fed]: [&Description<T>; 2], given: 
         if given.swaying.is_none() {
             return Some(head.into_iter().chain([own, late, simple]).collect());
         }
-        let run = |period| run(plain, start.course(told(given), period), None, hanging.period);
+        let run = |period| {
+            run(
+                plain,
+                &s::PHI_R,
+                start.course(told(given), period),
+                None,
+                hanging.period,
+            )
+        };
         let [[most, rest], [_, other]] = [run(periods[0])?, run(periods[1])?];
         Some(head.into_iter().chain([most, own, rest, late, simple, other]).collect())
     };
     let rows = (1..).zip(Start::ALL).map(row).collect::<Option<Vec<_>>>()?;
-    let feedback = given.feedback.filter(|feedback| feedback.zeta > 0.0);
+    let feedback = given.swaying.and(given.feedback).filter(|feedback| feedback.zeta > 0.0);
     let last = feedback.and_then(|feedback| fed_back(fed, given, rows.len() + 1, feedback, [&hanging, &longer]));
     Some(Table {
         columns: RUN_COLUMNS[usize::from(given.swaying.is_some())].to_vec(),
@@ -93,7 +106,7 @@ fn fed_back<T: Described>(
         between: Between::Steps,
         shaped: None,
     };
-    let [most, rest] = run(what, course, Some(lasts), ropes[0].period)?;
+    let [most, rest] = run(what, &s::PHI_R, course, Some(lasts), ropes[0].period)?;
     let [[greatest, own], [_, late]] = ropes.map(|hanging| {
         let steady = hanging.felt * a_c / *given.gravity;
         small(hanging.felt * feedback.zeta, hanging, [v_c / a_c, lasts]).map(|part| steady * part)
@@ -136,11 +149,17 @@ fn small(zeta: f64, hanging: &Suspended<f64>, [pulse, lasts]: [f64; 2]) -> [f64;
     [on.max(off), span(hanging.period, 0.0)]
 }
 
-/// Greatest sway (rad) of a load that hangs at rest at the start, while the trolley is told an acceleration over time, to its
+/// Greatest amount of what a load that hangs at rest at the start does, while the trolley is told an acceleration over time, to its
 /// end or to a later time (s), and after that in a period (s); `None` of a run that does not come to its end.
-fn run<T: Described>(what: &Description<T>, course: Course, until: Option<f64>, period: f64) -> Option<[f64; 2]> {
+fn run<T: Described>(
+    what: &Description<T>,
+    followed: &'static Symbol,
+    course: Course,
+    until: Option<f64>,
+    period: f64,
+) -> Option<[f64; 2]> {
     let end = until.unwrap_or_else(|| course.end());
-    let spans = ride(what, vec![(&s::A_T, course)], &[&s::PHI_R], &[end, end + period])?;
+    let spans = ride(what, vec![(&s::A_T, course)], &[followed], &[end, end + period])?;
     spans.iter().map(|span| most(span)).collect::<Vec<_>>().try_into().ok()
 }
 
@@ -188,8 +207,8 @@ pub(super) fn lengths(given: &Given<f64>) -> Vec<Section> {
 }
 
 /// What starts leave of the travel of a load on slings, at both frequencies: of those made for the period of the one and of the
-/// other.
-pub(super) fn slung_starts(given: &Given<f64>) -> Option<Table> {
+/// other; where they move, in runs of the model too.
+pub(super) fn slung_starts<T: Described>(plain: &Description<T>, given: &Given<f64>) -> Option<Table> {
     let (_, hanging) = on(given, 1.0)?;
     let it = given;
     let slung = Slung::new(
@@ -210,11 +229,19 @@ pub(super) fn slung_starts(given: &Given<f64>) -> Option<Table> {
             [of(0), of(1)]
         };
         let [own, other] = slung.period.map(left);
-        [&[f64::from(number)][..], &own, &other].concat()
+        if given.hung.is_none() {
+            return Some([&[f64::from(number)][..], &own, &other].concat());
+        }
+        let run = |period| {
+            let [_, rest] = run(plain, &s::X_Q, start.course(told(given), period), None, slung.period[0])?;
+            Some(rest)
+        };
+        let [both, last] = [run(slung.period[0])?, run(slung.period[1])?];
+        Some([&[f64::from(number)][..], &own, &[both], &other, &[last]].concat())
     };
     Some(Table {
-        columns: listed!(s: NUMBER, X_11, X_12, X_21, X_22).to_vec(),
-        rows: (1..).zip(Start::ALL).map(row).collect(),
+        columns: SLUNG_COLUMNS[usize::from(given.hung.is_some())].to_vec(),
+        rows: (1..).zip(Start::ALL).map(row).collect::<Option<_>>()?,
     })
 }
 

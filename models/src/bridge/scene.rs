@@ -1,11 +1,14 @@
 //! The trolley of a container bridge as scenes describe it and books tell it.
 
+use crate::bridge::bodies;
+use crate::bridge::bodies::posture::{Posture, SlungLoad};
+use crate::bridge::bodies::small::small_sway;
 use crate::bridge::brakes::TrolleyBrakes;
 use crate::bridge::compared::{compared, four_bar, lengths, slung_starts, steps_apart};
 use crate::bridge::given::{BridgeTrolley, DrivenWheels, PassedSheaves, SheaveCount, TrolleyCommand};
 use crate::bridge::outline::{OUTLINE, SLINGS};
 use crate::bridge::profiles::TravelProfile;
-use crate::bridge::slung::LoadSlings;
+use crate::bridge::slung::{LoadSlings, Slung};
 use crate::bridge::stages::{ContainerBridge, Given};
 use crate::bridge::suspension::{FourRopes, RopesLength, Suspended};
 use crate::bridge::swing::length;
@@ -86,20 +89,21 @@ const LIMITS: &[Key] = &Limit::keys::<11>(OUTLINE.limits);
 /// Keys that say something of the motion alone.
 const MOVING: [&str; 4] = ["x_t", "phi_R", "zeta_f", "dynamics"];
 
-/// Longest step of the solver over the period of the sway, and the shortest that may be given over that.
+/// Longest step of the solver over the period of the sway, of two bodies the shorter one, and the shortest that may be given over that.
 const LONGEST: f64 = 0.01;
 const SHORTEST: f64 = 1e-2;
 
 /// What the rates cost, in s.
 const COST: [f64; 2] = [0.15e-6, 0.0];
+const SLUNG_COST: [f64; 2] = [0.5e-6, 0.0];
 
 /// The trolley of a container bridge as the scene describes it; SI.
 #[derive(Clone, Debug)]
 pub struct BridgeScene {
     /// At the start of the working range.
     given: Given<f64>,
-    /// Place (m), speed (m/s), sway (rad), its rate (rad/s) and length of the ropes (m) at the start of its motion.
-    start: [f64; 5],
+    /// All states at the start of its motion, at rest: place (m) first, length of the ropes (m) last.
+    start: Vec<f64>,
     /// Longest step of the solver, in s.
     step: f64,
 }
@@ -169,10 +173,10 @@ impl Described for BridgeScene {
     const ID: &'static str = "bridge";
     const TABLE: &'static str = "trolley";
     const OUTLINE: &'static Outline = &OUTLINE;
-    const FOLLOWED: &'static [&'static Symbol] = listed!(s: X_L, S_R, F_DR, P_DR);
+    const FOLLOWED: &'static [&'static Symbol] = listed!(s: X_L, S_R, N_S, S_S1, S_S2, F_DR, P_DR);
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "bridge_symbol",
-        own: &[s::ALL, pendulum::ALL],
+        own: &[s::ALL, bodies::symbols::ALL, pendulum::ALL],
         shared: &[hanging::ALL, gravity::ALL],
     };
 
@@ -189,24 +193,48 @@ impl Described for BridgeScene {
             let help = "give longer ropes, or joints of trolley and spreader that are less apart";
             found.push(four.refuse(s::L_R.id, fault.message, "too short", help));
         });
-        let longest = LONGEST * hanging.ok()?.period;
+        let hanging = hanging.ok()?;
+        // What stands is chosen by the greatest that the motion is told.
+        let most = |symbol: &Symbol| v.greatest(symbol.id).unwrap_or(0.0);
+        let command = TrolleyCommand {
+            a: most(&s::A_T),
+            v_h: most(&s::V_H),
+            q: n(&s::Q),
+        };
+        let unit = BridgeTrolley::read(v)?;
+        let slings = v.part("slings", LoadSlings::read)?;
+        // Those that hang straight down at the start of a motion, and the shorter period of what sways.
+        let moved = slings.filter(|_| moves).map(|slings| {
+            let start = SlungLoad {
+                phi: n(&s::PHI_R),
+                psi: 0.0,
+                w_phi: 0.0,
+                w_psi: 0.0,
+                l: reeved.l,
+            };
+            if let Err(fault) = Posture::new(&start, &slings, &ropes, &hanging) {
+                let help = "begin with less sway, or give ropes that are less apart on the trolley";
+                found.push(v.refuse(s::PHI_R.id, fault.message, "too far", help));
+            }
+            let slung = Slung::new(&slings, &unit, &command, &ropes, &One(&s::G, gravity), &hanging);
+            let slung = slung.map_err(|fault| {
+                let help = "give the weight of what hangs on the slings";
+                found.push(v.refuse(s::Q.id, fault.message, "no second body", help));
+            });
+            (start, slung.map_or(hanging.period, |slung| slung.period[1]))
+        });
+        let longest = LONGEST * moved.map_or(hanging.period, |(_, period)| hanging.period.min(period));
         let dynamics = v.table("dynamics");
         found.extend(dynamics.and_then(|table| short_step(table, &s::STEP, [SHORTEST * longest, longest])));
         if found.len() > before {
             return None;
         }
         let phi = n(&s::PHI_R);
-        // What stands is chosen by the greatest that the motion is told.
-        let most = |symbol: &Symbol| v.greatest(symbol.id).unwrap_or(0.0);
         let given = Given {
             place: One(&s::X_T, range.from),
             speed: One(&s::V_T, range.speed),
-            command: TrolleyCommand {
-                a: most(&s::A_T),
-                v_h: most(&s::V_H),
-                q: n(&s::Q),
-            },
-            unit: BridgeTrolley::read(v)?,
+            command,
+            unit,
             gravity: One(&s::G, gravity),
             over: v.part("sheaves", PassedSheaves::read)?,
             driven: v.part("driven", DrivenWheels::read)?,
@@ -214,17 +242,22 @@ impl Described for BridgeScene {
             brakes: v.part("brakes", TrolleyBrakes::read)?,
             ropes,
             reeved: (!moves).then_some(reeved),
-            slings: v.part("slings", LoadSlings::read)?,
+            slings,
             profile: TravelProfile::read(profile?)?,
             feedback: moves.then_some(Feedback { zeta: n(&s::ZETA_F) }),
-            swaying: moves.then_some(SwayingLoad {
+            swaying: (moves && slings.is_none()).then_some(SwayingLoad {
                 phi,
                 omega: 0.0,
                 l: reeved.l,
             }),
+            hung: moved.map(|(start, _)| start),
             count: SheaveCount(v.table("sheaves").and_then(|table| table.count("count")).unwrap_or(0) as u8),
         };
-        let start = [v.number(s::X_T.id).unwrap_or(range.from), 0.0, phi, 0.0, reeved.l];
+        let place = v.number(s::X_T.id).unwrap_or(range.from);
+        let start = match moved {
+            Some(_) => vec![place, 0.0, phi, 0.0, 0.0, 0.0, reeved.l],
+            None => vec![place, 0.0, phi, 0.0, reeved.l],
+        };
         let step = dynamics.and_then(|table| table.of(&s::STEP)).unwrap_or(longest);
         Some((BridgeScene { given, start, step }, range))
     }
@@ -235,15 +268,16 @@ impl Described for BridgeScene {
 
     fn levels(&self) -> Vec<&'static str> {
         std::iter::once("static")
-            .chain(self.given.swaying.map(|_| "swing"))
+            .chain(self.moves().then_some("swing"))
             .collect()
     }
 
     fn set_level(&mut self, level: &str) {
         if level == "static" {
-            let swaying = self.given.swaying.take();
+            let length = length(&self.given.reeved, &self.given.swaying, &self.given.hung);
+            (self.given.swaying, self.given.hung) = (None, None);
             self.given.feedback = None;
-            self.given.reeved = self.given.reeved.or(swaying.map(|load| RopesLength { l: load.l }));
+            self.given.reeved = Some(RopesLength { l: length });
         }
     }
 
@@ -255,43 +289,76 @@ impl Described for BridgeScene {
     }
 
     fn moving(this: &Description<BridgeScene>) -> Option<Result<MovingComponent, Fault>> {
-        this.given.swaying?;
+        this.moves().then_some(())?;
         Some(MovingComponent::new(this.standing(), |model| {
             Ok(Box::new(SmoothPieces::new(model, &this.start, this.step)?))
         }))
     }
 
     fn solver(&self) -> Option<Solver> {
-        (self.given.swaying).map(|_| Solver::explicit(&s::STEP, self.step, COST))
+        let cost = self.given.hung.map_or(COST, |_| SLUNG_COST);
+        self.moves().then(|| Solver::explicit(&s::STEP, self.step, cost))
     }
 
-    /// The frequency against that of the four-bar, and what starts leave against their steps one by one.
+    /// The frequency against that of the four-bar, what starts leave against their steps one by one, and both frequencies of a load
+    /// on slings against the motion about rest.
     fn identities(this: &Description<BridgeScene>, _: &mut Standing) -> Vec<Check> {
         let four_bar =
             four_bar(&this.given).map(|value| Check::at_most("bridge_frequency", &s::AGREEMENT, value, 1e-9));
         let steps = steps_apart(&this.given).map(|value| Check::at_most("bridge_steps", &s::AGREEMENT, value, 1e-9));
-        four_bar.into_iter().chain(steps).collect()
+        let Given {
+            slings,
+            unit,
+            ropes,
+            command,
+            reeved,
+            swaying,
+            hung,
+            gravity,
+            ..
+        } = &this.given;
+        let length = length(reeved, swaying, hung);
+        let bodies = slings.and_then(|slings| small_sway(&slings, unit, ropes, command.q, length, gravity));
+        let bodies = bodies.map(|value| Check::at_most("bridge_bodies", &s::AGREEMENT, value, 1e-9));
+        four_bar.into_iter().chain(steps).chain(bodies).collect()
     }
 
     fn assumptions(this: &Description<BridgeScene>) -> Vec<&'static str> {
-        let level = this
-            .given
-            .swaying
-            .map_or("bridge_level_static", |_| "bridge_level_swing");
+        let level = match (this.moves(), this.given.hung) {
+            (false, _) => "bridge_level_static",
+            (true, None) => "bridge_level_swing",
+            (true, Some(_)) => "bridge_level_slung",
+        };
         let rope = this.given.tow.map(|_| "bridge_tow");
-        let slung = this.given.slings.map(|_| "bridge_slung");
-        let all = [Some(level), rope, Some("bridge_ropes"), Some("bridge_small"), slung];
+        let bodies = this.given.slings.map_or("bridge_rigid", |_| "bridge_slung");
+        let all = [
+            Some(level),
+            rope,
+            Some("bridge_ropes"),
+            Some("bridge_small"),
+            Some(bodies),
+        ];
         all.into_iter().flatten().collect()
     }
 
-    fn uncovered(_: &Description<BridgeScene>) -> Vec<&'static str> {
-        vec!["bridge_rest", "strength", "load_cases"]
+    fn uncovered(this: &Description<BridgeScene>) -> Vec<&'static str> {
+        let body = this.given.slings.map_or(Some("bridge_one_body"), |_| None);
+        let all = [Some("bridge_rest"), body, Some("strength"), Some("load_cases")];
+        all.into_iter().flatten().collect()
     }
 
     /// The sway at the start, and that there is no feedback, stand where the scene does not give them.
     fn arrange(&self, inputs: &mut Vec<Input>) {
-        if let Some((load, feedback)) = self.given.swaying.zip(self.given.feedback) {
-            arrange(inputs, &load, &feedback);
+        let mut start = Vec::new();
+        let mut stands = |symbol, value| start.push((symbol, value));
+        if let Some(load) = self.given.swaying {
+            load.map(&mut stands);
+        }
+        if let Some(load) = self.given.hung {
+            load.map(&mut stands);
+        }
+        if let Some(feedback) = self.given.feedback {
+            arrange(inputs, &start, &feedback);
         }
     }
 
@@ -303,7 +370,9 @@ impl Described for BridgeScene {
     }
 
     fn hang(&mut self, length: f64) {
-        self.start[4] = length;
+        if let Some(own) = self.start.last_mut() {
+            *own = length;
+        }
         if let Some(load) = &mut self.given.swaying {
             load.l = length;
         }
@@ -311,7 +380,13 @@ impl Described for BridgeScene {
 
     /// From the side, the sea on the left: rails, beam, trolley with its load on the ropes.
     fn drawing(this: &Description<BridgeScene>, told: f64) -> Drawing {
-        let Given { ropes, unit, tow, .. } = &this.given;
+        let Given {
+            ropes,
+            unit,
+            tow,
+            slings,
+            ..
+        } = &this.given;
         let hanging = this.height();
         let at = |x: f64, y: f64| Point::new(-x, y);
         let ends = tow.map_or([this.motion.to, this.motion.from], |tow| [tow.x_1, tow.x_2]);
@@ -344,13 +419,21 @@ impl Described for BridgeScene {
             for side in [-1.0, 1.0] {
                 draw.bar(&[corner(side * a, 0.0), corner(side * b, low)], faint);
             }
-            let deep = low - 2.0 * ropes.e_q.max(0.05 * size);
+            let least = 0.05 * size;
+            let deep = low - slings.map_or(2.0 * ropes.e_q.max(least), |slings| slings.e_s.max(least));
             draw.body(
                 &[corner(-b, low), corner(b, low), corner(b, deep), corner(-b, deep)],
                 faint,
             );
+            if let Some(slings) = slings {
+                let joint = low - slings.e_s;
+                draw.bar(&[corner(0.0, joint), corner(0.0, joint - slings.l_s)], faint);
+            }
         }
-        draw.load(at(told, -hanging - ropes.e_q), &s::W);
+        match slings {
+            Some(slings) => draw.load(at(told, -hanging - slings.e_s - slings.l_s), &s::Q),
+            None => draw.load(at(told, -hanging - ropes.e_q), &s::W),
+        }
         draw.distance(
             at(told + ropes.a_o, 0.0),
             at(told + ropes.a_o, -hanging),
@@ -369,15 +452,15 @@ impl Described for BridgeScene {
             .iter()
             .position(|section| section.id == "bridge_profiles");
         let after = place.map_or(sheet.constants.len(), |place| place + 1);
+        let mut fed = this.clone();
+        fed.own.rest();
+        let mut plain = fed.clone();
+        plain.own.given.feedback = this.given.feedback.map(|_| Feedback { zeta: 0.0 });
         if let Some(section) = place.and_then(|place| sheet.constants.get_mut(place)) {
-            let mut fed = this.clone();
-            fed.own.rest();
-            let mut plain = fed.clone();
-            plain.own.given.feedback = this.given.feedback.map(|_| Feedback { zeta: 0.0 });
             section.table = compared([&plain, &fed], &this.given);
         }
         if let Some(section) = sheet.constants.iter_mut().find(|section| section.id == SLINGS) {
-            section.table = slung_starts(&this.given);
+            section.table = slung_starts(&plain, &this.given);
         }
         let own = lengths(&this.given);
         sheet.constants.splice(after..after, own);
@@ -385,6 +468,11 @@ impl Described for BridgeScene {
 }
 
 impl BridgeScene {
+    /// Whether trolley and load move by themselves.
+    fn moves(&self) -> bool {
+        self.given.feedback.is_some()
+    }
+
     /// At rest at the start.
     fn rest(&mut self) {
         self.start[2] = 0.0;
@@ -398,9 +486,10 @@ impl BridgeScene {
             gravity,
             reeved,
             swaying,
+            hung,
             ..
         } = &self.given;
-        let found = Suspended::new(ropes, gravity, &length(reeved, swaying));
+        let found = Suspended::new(ropes, gravity, &length(reeved, swaying, hung));
         found.map_or(0.0, |hanging| hanging.height)
     }
 }

@@ -25,7 +25,7 @@ quantities! {
 /// over that of the spreader, and travel of the load under a steady acceleration of g (m).
 #[derive(Clone, Copy, Debug)]
 pub struct Slung<C> {
-    ratio: C,
+    pub ratio: C,
     light: C,
     rise: [C; 2],
     masses: [C; 2],

@@ -1,6 +1,9 @@
 //! The trolley of a container bridge as a component: what it is given, in which stages its equations follow from each other,
 //! how it moves.
 
+use crate::bridge::bodies::motion::{SlungRates, SlungTurning};
+use crate::bridge::bodies::posture::{Posture, SlungLoad};
+use crate::bridge::bodies::pulls::{SlungAcceleration, SlungPulls};
 use crate::bridge::brakes::{TrolleyBrakes, TrolleyBraking, holds};
 use crate::bridge::given::{BridgeTrolley, DrivenWheels, PassedSheaves, SheaveCount, TrolleyCommand};
 use crate::bridge::listing::Listing;
@@ -35,9 +38,10 @@ stages! {
         Parameter profile: TravelProfile<C>,
         Parameter feedback: Option<Feedback<C>>,
         State swaying: Option<SwayingLoad<C>>,
+        State hung: Option<SlungLoad<C>>,
         Fixed count: SheaveCount,
     } find {
-        length: C = length(reeved, swaying) => _;
+        length: C = length(reeved, swaying, hung) => _;
         hanging: Suspended<C> = Suspended::new(ropes, gravity, length);
         slung: Slung<C> = Slung::new(slings[!], unit, command, ropes, gravity, hanging);
         skew: Skew<C> = Skew::new(ropes, gravity, command, length, hanging);
@@ -46,13 +50,18 @@ stages! {
         weight: C = carried(unit, command) => W;
         listing: Listing<C> = Listing::new(ropes, length, hanging, weight);
         rails: RailLoads<C> = RailLoads::new(unit, place, weight);
-        damped: Damped<C> = damped(feedback[!], hanging);
-        answer: C = answer(feedback[!], swaying[!], command, gravity, hanging) => A_L;
-        travelling: Travelling<C> = travelling(swaying[!], speed, answer);
+        damped: Damped<C> = damped(feedback[!], swaying[!], hanging);
+        posture: Posture<C> = Posture::new(hung[!], slings[!], ropes, hanging);
+        turning: SlungTurning<C> = SlungTurning::new(hung[!], slings[!], command, slung, posture);
+        answer: C = answer(feedback[!], swaying, hung, turning[?], command, gravity, hanging) => A_L;
+        travelling: Travelling<C> = travelling(feedback[!], speed, answer);
         swung: Swung<C> = swung(swaying[!], command, gravity, place, weight, ropes, hanging, answer);
+        rates: SlungRates<C> = SlungRates::new(hung[!], slings[!], command, gravity, slung, posture, turning, answer);
+        borne: SlungAcceleration<C> = SlungAcceleration::new(hung[!], slings[!], command, gravity, slung, posture, turning, rates, answer);
+        pulls: SlungPulls<C> = SlungPulls::new(hung[!], slings[!], unit, command, gravity, place, ropes, posture, turning, borne);
         passed: C = sheaves(over[!], count, weight) => F_S;
         forces: TravelForces<C> = TravelForces::new(unit, gravity, command, speed, weight, passed[?]);
-        led: DriveInMotion<C> = DriveInMotion::new(unit, gravity, speed, forces, swung, answer);
+        led: DriveInMotion<C> = DriveInMotion::new(unit, gravity, speed, forces, swung[?], pulls[?], answer);
         powers: BridgePowers<C> = BridgePowers::new(unit, command, speed, weight, forces);
         grip: Grip<C> = Grip::new(driven[!], unit, gravity, weight, forces);
         braking: TrolleyBraking<C> = TrolleyBraking::new(brakes[!], profile, unit, gravity, weight, forces);
@@ -64,15 +73,28 @@ stages! {
 impl Component for ContainerBridge {
     const STATES: [&'static [&'static Symbol]; 2] = [
         listed!(s: X_T, V_T),
-        listed!(s: D_X_T, D_V_T, D_PHI_R, D_OMEGA_R, D_L_R),
+        listed!(s: D_X_T, D_V_T, D_PHI_R, D_OMEGA_R, D_PSI_S, D_W_PHI, D_W_PSI, D_L_R),
     ];
+
+    const INDICATORS: &'static [&'static Symbol] = listed!(s: Z_SLINGS, Z_SEA, Z_LAND);
 
     const PORTS: &'static [Port] = ports! { s:
         trolley "Trolley on the beam.": s X_T, v V_T, f F_R;
         load "Load on its ropes.": v V_H, f W;
     };
 
+    /// Nothing follows but the end of a motion in which something would have to push.
+    fn decide(known: &mut Known<f64>) -> Found<bool> {
+        if let Some(load) = known.given.hung {
+            known.pulls()?.hold(&load)?;
+        }
+        Ok(false)
+    }
+
     fn update(known: &mut Known<f64>) -> Found<()> {
+        if known.given.hung.is_some() {
+            known.posture()?;
+        }
         known.hanging().map(|_| ())
     }
 }

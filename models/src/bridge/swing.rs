@@ -1,5 +1,8 @@
 //! The trolley in motion with its load as a pendulum: it follows its command, the load sways behind it.
 
+use crate::bridge::bodies::motion::SlungTurning;
+use crate::bridge::bodies::posture::SlungLoad;
+use crate::bridge::bodies::pulls::SlungPulls;
 use crate::bridge::given::{BridgeTrolley, TrolleyCommand};
 use crate::bridge::suspension::{FourRopes, RopesLength, Suspended};
 use crate::bridge::symbols as s;
@@ -11,8 +14,13 @@ use crate::parts::travel::{at_motor, sense};
 use crate::sway::pendulum::{Damped, Feedback, HungLoad, SwayingLoad, Swung};
 
 /// Length of the ropes, in m: given, or a state.
-pub fn length<C: Calc>(ropes: &Option<RopesLength<C>>, swaying: &Option<SwayingLoad<C>>) -> C {
+pub fn length<C: Calc>(
+    ropes: &Option<RopesLength<C>>,
+    swaying: &Option<SwayingLoad<C>>,
+    hung: &Option<SlungLoad<C>>,
+) -> C {
     let given = ropes.map(|ropes| ropes.l).or(swaying.map(|load| load.l));
+    let given = given.or(hung.map(|load| load.l));
     given.unwrap_or(C::constant(0.0))
 }
 
@@ -21,25 +29,35 @@ pub fn length<C: Calc>(ropes: &Option<RopesLength<C>>, swaying: &Option<SwayingL
 pub struct Travelling<C>([C; 2]);
 results! { Travelling as t => { D_X_T: t.0[0]; D_V_T: t.0[1]; } }
 
-/// With its speed (m/s) and acceleration (m/s²); of a load that sways.
-pub fn travelling<C: Calc>(_: &SwayingLoad<C>, speed: &One<C>, answer: &C) -> Travelling<C> {
+/// With its speed (m/s) and acceleration (m/s²), as it answers.
+pub fn travelling<C: Calc>(_: &Feedback<C>, speed: &One<C>, answer: &C) -> Travelling<C> {
     Travelling([**speed, *answer])
 }
 
-/// What the trolley is told, and what it answers to the sway, in m/s².
+/// What the trolley is told, and what it answers to the sway, of a spreader with slings to its own, in m/s².
 pub fn answer<C: Calc>(
     feedback: &Feedback<C>,
-    load: &SwayingLoad<C>,
+    swaying: &Option<SwayingLoad<C>>,
+    hung: &Option<SlungLoad<C>>,
+    turning: Option<&SlungTurning<C>>,
     command: &TrolleyCommand<C>,
     gravity: &One<C>,
     hanging: &Suspended<C>,
 ) -> C {
     let reeling = -hanging.slope * command.v_h;
+    let spreader = hung.zip(turning).map(|(load, turning)| SwayingLoad {
+        phi: load.phi,
+        omega: turning.omega[0],
+        l: load.l,
+    });
+    let Some(load) = &swaying.or(spreader) else {
+        return command.a;
+    };
     feedback.answer(command.a, load, **gravity, [hanging.length, reeling])
 }
 
-/// Small sway on the four ropes under feedback.
-pub fn damped<C: Calc>(feedback: &Feedback<C>, hanging: &Suspended<C>) -> Damped<C> {
+/// Small sway on the four ropes under feedback, of spreader and load as one body.
+pub fn damped<C: Calc>(feedback: &Feedback<C>, _: &SwayingLoad<C>, hanging: &Suspended<C>) -> Damped<C> {
     Damped::new(feedback, hanging.frequency, Some(hanging.felt))
 }
 
@@ -76,10 +94,14 @@ impl<C: Calc> DriveInMotion<C> {
         gravity: &One<C>,
         speed: &One<C>,
         forces: &TravelForces<C>,
-        swung: &Swung<C>,
+        swung: Option<&Swung<C>>,
+        pulls: Option<&SlungPulls<C>>,
         answer: &C,
     ) -> DriveInMotion<C> {
-        let inertia = unit.g_t / **gravity * *answer - swung.pull_along;
+        let pull = swung
+            .map(|swung| swung.pull_along)
+            .or(pulls.map(|pulls| pulls.pull_along));
+        let inertia = unit.g_t / **gravity * *answer - pull.unwrap_or(C::constant(0.0));
         let sense = sense(speed.value(), answer.value());
         let force = forces.with(inertia, sense).over(**speed).def(&s::F_DR);
         DriveInMotion([force, at_motor(force * **speed, unit.eta_d).def(&s::P_DR)])

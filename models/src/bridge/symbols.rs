@@ -1,5 +1,8 @@
 //! Every quantity of the trolley of a container bridge.
 
+pub use crate::bridge::bodies::symbols::{
+    D_PSI_S, D_W_PHI, D_W_PSI, N_S, OMEGA_PSI, PSI_S, S_S1, S_S2, Z_LAND, Z_SEA, Z_SLINGS,
+};
 pub use crate::kernel::gravity::G;
 use crate::kernel::symbol::{Range, symbols};
 pub use crate::parts::hanging::{L_R, PHI_R, S_R, X_Q, Y_Q};
@@ -133,6 +136,8 @@ symbols! {
     X_11: "x_11" "x_(1 1)" M / M [not_negative], "Travel of the load that a start leaves at the lower frequency where it is made for the period of that.", "equations of motion";
     X_12: "x_12" "x_(1 2)" M / M [not_negative], "Travel of the load that a start leaves at the upper frequency where it is made for the period of the lower one.", "equations of motion";
     X_21: "x_21" "x_(2 1)" M / M [not_negative], "Travel of the load that a start leaves at the lower frequency where it is made for the period of the upper one.", "equations of motion";
+    X_1R: "x_1r" "x_(1 \"run\")" M / M [not_negative], "Greatest travel of the load from the trolley that a start leaves in a run of the model where it is made for the period of the lower frequency.", "equations of motion";
+    X_2R: "x_2r" "x_(2 \"run\")" M / M [not_negative], "Greatest travel of the load from the trolley that a start leaves in a run of the model where it is made for the period of the upper frequency.", "equations of motion";
     X_22: "x_22" "x_(2 2)" M / M [not_negative], "Travel of the load that a start leaves at the upper frequency where it is made for the period of that.", "equations of motion";
 
     // Cycle and profiles.

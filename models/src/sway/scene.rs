@@ -3,7 +3,8 @@
 use crate::component::sheet::Input;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::schema::Values;
-use crate::sway::pendulum::{Feedback, SwayingLoad};
+use crate::kernel::symbol::Symbol;
+use crate::sway::pendulum::Feedback;
 
 /// Refuses keys that say something of a motion, and what is told over time, of a trolley that has none.
 pub fn unmoved<'a>(v: &Values, own: impl Iterator<Item = &'a str>, set: &str, found: &mut Vec<Diagnostic>) {
@@ -17,8 +18,8 @@ pub fn unmoved<'a>(v: &Values, own: impl Iterator<Item = &'a str>, set: &str, fo
     found.push(v.refuse(key, what, "not used", "set fidelity = \"swing\", or remove it"));
 }
 
-/// The sway at the start, and the feedback, stand in the book where the scene does not give them.
-pub fn arrange(inputs: &mut Vec<Input>, load: &SwayingLoad<f64>, feedback: &Feedback<f64>) {
+/// What hangs there at the start, each with its value, and the feedback, stand in the book where the scene does not give them.
+pub fn arrange(inputs: &mut Vec<Input>, start: &[(&'static Symbol, f64)], feedback: &Feedback<f64>) {
     let mut stand = |symbol, value| {
         if inputs.iter().all(|input| input.symbol != symbol) {
             inputs.push(Input {
@@ -31,6 +32,8 @@ pub fn arrange(inputs: &mut Vec<Input>, load: &SwayingLoad<f64>, feedback: &Feed
             });
         }
     };
-    load.map(&mut stand);
+    for (symbol, value) in start {
+        stand(*symbol, *value);
+    }
     feedback.map(&mut stand);
 }

@@ -323,7 +323,9 @@ impl Described for UnloaderScene {
     /// What the motion starts from stands where the scene does not give it.
     fn arrange(&self, inputs: &mut Vec<Input>) {
         if let Some((load, feedback)) = self.given.swaying.zip(self.given.feedback) {
-            arrange(inputs, &load, &feedback);
+            let mut start = Vec::new();
+            load.map(&mut |symbol, value| start.push((symbol, value)));
+            arrange(inputs, &start, &feedback);
         }
     }
 

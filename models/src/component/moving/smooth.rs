@@ -106,7 +106,10 @@ impl Pieces<MOST, Instant> for Equations<'_> {
 
     fn event(&self, time: f64, state: &mut Instant) -> Result<(), Halt> {
         let decided = self.with(time, state, &state.y, |part| {
-            part.decide().ok()?;
+            if let Err(fault) = part.decide() {
+                self.said.set(Some(fault));
+                return None;
+            }
             Some(self.own.instant(part))
         });
         *state = decided.ok_or(Halt::Outside)?;
