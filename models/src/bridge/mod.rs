@@ -28,7 +28,7 @@
 //! | `bridge.brakes` | [`brakes::TrolleyBraking::new`], [`brakes::holds`] | Newton and Euler; Coulomb |
 //! | `bridge.list` | [`listing::Listing::new`] | equilibrium |
 //! | `bridge.profiles` | [`profiles::CycleTime::new`], [`profiles::Profiles::new`] | linear oscillator |
-//! | `bridge.bodies` | [`bodies::posture::Posture::new`], [`bodies::motion::SlungTurning::new`], [`bodies::motion::SlungRates::new`], [`bodies::pulls::SlungAcceleration::new`], [`bodies::pulls::SlungPulls::new`] | Lagrange; Newton and Euler |
+//! | `bridge.bodies` | [`bodies::posture::SlungPosture::new`], [`bodies::motion::SlungTurning::new`], [`bodies::motion::SlungRates::new`], [`bodies::pulls::SlungAcceleration::new`], [`bodies::pulls::SlungPulls::new`] | Lagrange; Newton and Euler |
 //! | `bridge.motion` | [`swing::swung`], [`swing::DriveInMotion::new`] | Lagrange |
 
 pub mod bodies;

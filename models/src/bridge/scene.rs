@@ -1,7 +1,7 @@
 //! The trolley of a container bridge as scenes describe it and books tell it.
 
 use crate::bridge::bodies;
-use crate::bridge::bodies::posture::{Posture, SlungLoad};
+use crate::bridge::bodies::posture::{SlungLoad, SlungPosture};
 use crate::bridge::bodies::small::small_sway;
 use crate::bridge::brakes::TrolleyBrakes;
 use crate::bridge::compared::{compared, four_bar, lengths, slung_starts, steps_apart};
@@ -212,7 +212,7 @@ impl Described for BridgeScene {
                 w_psi: 0.0,
                 l: reeved.l,
             };
-            if let Err(fault) = Posture::new(&start, &slings, &ropes, &hanging) {
+            if let Err(fault) = SlungPosture::new(&start, &slings, &ropes, &hanging) {
                 let help = "begin with less sway, or give ropes that are less apart on the trolley";
                 found.push(v.refuse(s::PHI_R.id, fault.message, "too far", help));
             }

@@ -2,7 +2,7 @@
 //! how it moves.
 
 use crate::bridge::bodies::motion::{SlungRates, SlungTurning};
-use crate::bridge::bodies::posture::{Posture, SlungLoad};
+use crate::bridge::bodies::posture::{SlungLoad, SlungPosture};
 use crate::bridge::bodies::pulls::{SlungAcceleration, SlungPulls};
 use crate::bridge::brakes::{TrolleyBrakes, TrolleyBraking, holds};
 use crate::bridge::given::{BridgeTrolley, DrivenWheels, PassedSheaves, SheaveCount, TrolleyCommand};
@@ -51,7 +51,7 @@ stages! {
         listing: Listing<C> = Listing::new(ropes, length, hanging, weight);
         rails: RailLoads<C> = RailLoads::new(unit, place, weight);
         damped: Damped<C> = damped(feedback[!], swaying[!], hanging);
-        posture: Posture<C> = Posture::new(hung[!], slings[!], ropes, hanging);
+        posture: SlungPosture<C> = SlungPosture::new(hung[!], slings[!], ropes, hanging);
         turning: SlungTurning<C> = SlungTurning::new(hung[!], slings[!], command, slung, posture);
         answer: C = answer(feedback[!], swaying, hung, turning[?], command, gravity, hanging) => A_L;
         travelling: Travelling<C> = travelling(feedback[!], speed, answer);

@@ -3,7 +3,7 @@
 //! Lagrange's equations over the load's mass, with μ = G_s/Q: the mass matrix is [μ(g_1² + i_1² β'²) + g_s², l_s τ; l_s τ, l_s²], where τ
 //! and σ are g_s across and along the slings. Its second row is solved for the slings, which leaves D = μ(g_1² + i_1² β'²) + σ².
 
-use crate::bridge::bodies::posture::{Posture, SlungLoad, hung, scaled};
+use crate::bridge::bodies::posture::{SlungLoad, SlungPosture, hung, scaled};
 use crate::bridge::bodies::symbols as s;
 use crate::bridge::given::TrolleyCommand;
 use crate::bridge::slung::{LoadSlings, Slung};
@@ -39,7 +39,7 @@ impl<C: Calc> SlungTurning<C> {
         slings: &LoadSlings<C>,
         command: &TrolleyCommand<C>,
         slung: &Slung<C>,
-        posture: &Posture<C>,
+        posture: &SlungPosture<C>,
     ) -> SlungTurning<C> {
         let ([along, across], [own, joint], reel) = (hung(load.psi), posture.travel, posture.reel);
         let turned = (slings.i_1 * posture.turn[1]).square();
@@ -104,7 +104,7 @@ impl<C: Calc> SlungRates<C> {
         command: &TrolleyCommand<C>,
         gravity: &One<C>,
         slung: &Slung<C>,
-        posture: &Posture<C>,
+        posture: &SlungPosture<C>,
         turning: &SlungTurning<C>,
         answer: &C,
     ) -> SlungRates<C> {

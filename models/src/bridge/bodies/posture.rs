@@ -20,7 +20,7 @@ quantities! {
 /// trolley's (m); travel of spreader and slings' joint over the sway (m), and its change; travel over the ropes' length, and its
 /// change over the sway.
 #[derive(Clone, Copy, Debug)]
-pub struct Posture<C> {
+pub struct SlungPosture<C> {
     pub turn: [C; 3],
     pub reach: [C; 3],
     pub travel: [Point<C>; 2],
@@ -28,7 +28,7 @@ pub struct Posture<C> {
     pub reel: Point<C>,
     pub bent: Point<C>,
 }
-results! { Posture as p => {
+results! { SlungPosture as p => {
     BETA_S: p.turn[0];
     BETA_S1: p.turn[1];
     BETA_S2: p.turn[2];
@@ -59,7 +59,7 @@ pub fn scaled<C: Calc>(v: Point<C>, by: C) -> Point<C> {
     v.map(|x| x * by)
 }
 
-impl<C: Calc> Posture<C> {
+impl<C: Calc> SlungPosture<C> {
     /// sin(φ − β) = (a_o/a_u) sin φ, r² = h² − 2 a_o a_u (1 − cos β): both sides' ropes keep their length, so the spreader's joints lie
     /// across the line of the middles as the trolley's do. g = ∂(r n_φ + e n_β)/∂φ, p = (l/r) n_φ. (kinematics)
     ///
@@ -70,7 +70,7 @@ impl<C: Calc> Posture<C> {
         slings: &LoadSlings<C>,
         ropes: &FourRopes<C>,
         hanging: &Suspended<C>,
-    ) -> Result<Posture<C>, Fault> {
+    ) -> Result<SlungPosture<C>, Fault> {
         let FourRopes { a_o, a_u, .. } = *ropes;
         let (one, two) = (C::constant(1.0), C::constant(2.0));
         let [along, across] = hung(load.phi);
@@ -117,7 +117,7 @@ impl<C: Calc> Posture<C> {
             )
         };
         let reeled = load.l / reach;
-        Ok(Posture {
+        Ok(SlungPosture {
             turn: [turn, first, second],
             reach: [reach, slope, curve],
             travel: [

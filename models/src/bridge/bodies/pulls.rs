@@ -1,7 +1,7 @@
 //! What slings and ropes pull with, and where the load is.
 
 use crate::bridge::bodies::motion::{SlungRates, SlungTurning};
-use crate::bridge::bodies::posture::{Posture, SlungLoad, hung, scaled};
+use crate::bridge::bodies::posture::{SlungLoad, SlungPosture, hung, scaled};
 use crate::bridge::bodies::symbols as s;
 use crate::bridge::given::{BridgeTrolley, TrolleyCommand};
 use crate::bridge::slung::{LoadSlings, Slung};
@@ -46,7 +46,7 @@ impl<C: Calc> SlungAcceleration<C> {
         command: &TrolleyCommand<C>,
         gravity: &One<C>,
         slung: &Slung<C>,
-        posture: &Posture<C>,
+        posture: &SlungPosture<C>,
         turning: &SlungTurning<C>,
         rates: &SlungRates<C>,
         answer: &C,
@@ -117,7 +117,7 @@ impl<C: Calc> SlungPulls<C> {
         gravity: &One<C>,
         trolley: &One<C>,
         ropes: &FourRopes<C>,
-        posture: &Posture<C>,
+        posture: &SlungPosture<C>,
         turning: &SlungTurning<C>,
         moved: &SlungAcceleration<C>,
     ) -> SlungPulls<C> {

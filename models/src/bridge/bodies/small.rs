@@ -3,7 +3,7 @@
 use num_dual::Dual64;
 
 use crate::bridge::bodies::motion::{SlungRates, SlungTurning};
-use crate::bridge::bodies::posture::{Posture, SlungLoad};
+use crate::bridge::bodies::posture::{SlungLoad, SlungPosture};
 use crate::bridge::given::{BridgeTrolley, TrolleyCommand};
 use crate::bridge::slung::{LoadSlings, Slung};
 use crate::bridge::suspension::{FourRopes, Suspended};
@@ -43,7 +43,7 @@ pub(in crate::bridge) fn small_sway(
             w_psi: rest,
             l: length,
         };
-        let posture = Posture::new(&load, &slings, &ropes, &hanging).ok()?;
+        let posture = SlungPosture::new(&load, &slings, &ropes, &hanging).ok()?;
         let turning = SlungTurning::new(&load, &slings, &command, &slung, &posture);
         let rates = SlungRates::new(&load, &slings, &command, &gravity, &slung, &posture, &turning, &rest);
         Some(rates.turning().map(|rate| -rate.eps))
