@@ -102,7 +102,7 @@ fn derivatives_are_those_of_the_values() {
     assert!(compared >= 190, "{compared}");
 }
 
-/// The ready scene goes on with the same bits from a state that was written out, while it travels and while it is lowered.
+/// The ready scene goes on with the same bits from a state that was written out, while it starts and while it stands.
 #[test]
 fn a_saved_state_goes_on() {
     for begun in [4.3, 34.1] {
