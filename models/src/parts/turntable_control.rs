@@ -35,7 +35,7 @@ symbols! {
     D_OMEGA_R_SL: "der(omega_rsl)" "dot(omega)_\"r sl\"" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of the continuous slewing controller's set point.", "derived";
     D_EPSILON_SL: "der(epsilon_sl)" "dot(epsilon)_\"sl\"" RAD_PER_S / DEG_PER_S, "Rate of the integral of the error: that error, unless the limit of the moment holds the integral.", "derived";
     OMEGA_T_SL: "omega_tsl" "omega_\"t sl\"" RAD_PER_S / DEG_PER_S, "Commanded angular velocity to which the set point of the continuous slewing controller is going.", "state";
-    D_OMEGA_C_SL: "der(omega_csl)" "dot(omega)_\"c sl\"" RAD_PER_S2 / RAD_PER_S2, "Rate of the commanded angular velocity of slewing, where that goes straight from value to value.", "state";
+    D_OMEGA_C_SL: "der(omega_csl)" "dot(omega)_\"c sl\"" RAD_PER_S2 / RAD_PER_S2, "Rate of the commanded angular velocity of slewing, where that goes straight from value to value.", "derived";
     WAY_R_SL: "way_rsl" "w_\"r sl\"" ONE / ONE, "Whether the set point of the continuous slewing controller is at its command (0), or which way it goes (1, -1).", "state";
     HOLD_SL: "hold_sl" "l_\"sl\"" ONE / ONE, "Whether the moment of the continuous slewing controller is within its limit (0), or at it, with the sign of the moment: the integral waits (1), falls (2), keeps the moment at the limit (3).", "state";
     Z_SL_RAMP: "z.sl_ramp" "z_24" ONE / ONE, "Falls below zero where the set point of the continuous slewing controller reaches its command.", "event";

@@ -35,7 +35,7 @@ symbols! {
     D_V_R_H: "der(v_rh)" "dot(v)_\"r h\"" M_PER_S2 / M_PER_S2, "Acceleration of the continuous hoist controller's set point.", "derived";
     D_EPSILON_H: "der(epsilon_rh)" "dot(epsilon)_\"r h\"" M_PER_S / M_PER_S, "Rate of the integral of the error of the hoist: that error, unless the limit of the moment holds the integral.", "derived";
     V_T_H: "v_th" "v_\"t h\"" M_PER_S / M_PER_S, "Commanded speed to which the set point of the continuous hoist controller is going.", "state";
-    D_V_CH: "der(v_ch)" "dot(v)_\"c h\"" M_PER_S2 / M_PER_S2, "Rate of the commanded hoisting speed, where that goes straight from value to value.", "state";
+    D_V_CH: "der(v_ch)" "dot(v)_\"c h\"" M_PER_S2 / M_PER_S2, "Rate of the commanded hoisting speed, where that goes straight from value to value.", "derived";
     WAY_R_H: "way_rh" "w_\"r h\"" ONE / ONE, "Whether the set point of the continuous hoist controller is at its command (0), or which way it goes (1, -1).", "state";
     HOLD_H: "hold_h" "l_\"h\"" ONE / ONE, "Whether the moment of the continuous hoist controller is within its limit (0), or at it, with the sign of the moment: the integral waits (1), falls (2), keeps the moment at the limit (3).", "state";
     Z_H_RAMP: "z.hoist_ramp" "z_30" ONE / ONE, "Falls below zero where the set point of the continuous hoist controller reaches its command.", "event";

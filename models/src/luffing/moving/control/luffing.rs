@@ -35,7 +35,7 @@ symbols! {
     D_OMEGA_R_A: "der(omega_rA)" "dot(omega)_\"r A\"" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of the continuous luffing controller's set point.", "derived";
     D_EPSILON_A: "der(epsilon_rA)" "dot(epsilon)_\"r A\"" RAD_PER_S / DEG_PER_S, "Rate of the integral of the error of luffing: that error, unless the limit of the moment holds the integral.", "derived";
     OMEGA_T_A: "omega_tA" "omega_\"t A\"" RAD_PER_S / DEG_PER_S, "Commanded angular velocity to which the set point of the continuous luffing controller is going.", "state";
-    D_OMEGA_C_A: "der(omega_cA)" "dot(omega)_\"c A\"" RAD_PER_S2 / RAD_PER_S2, "Rate of the commanded angular velocity of luffing, where that goes straight from value to value.", "state";
+    D_OMEGA_C_A: "der(omega_cA)" "dot(omega)_\"c A\"" RAD_PER_S2 / RAD_PER_S2, "Rate of the commanded angular velocity of luffing, where that goes straight from value to value.", "derived";
     WAY_R_A: "way_rA" "w_\"r A\"" ONE / ONE, "Whether the set point of the continuous luffing controller is at its command (0), or which way it goes (1, -1).", "state";
     HOLD_A: "hold_A" "l_\"A\"" ONE / ONE, "Whether the moment of the continuous luffing controller is within its limit (0), or at it, with the sign of the moment: the integral waits (1), falls (2), keeps the moment at the limit (3).", "state";
     Z_A_RAMP: "z.luffing_ramp" "z_27" ONE / ONE, "Falls below zero where the set point of the continuous luffing controller reaches its command.", "event";
