@@ -172,7 +172,8 @@ impl<C: Calc> SpeedControl<C> {
         self.error(self.moves(past), acceleration)
     }
 
-    /// Rates of set point and integral: ±a, or that of the command; e, or 0 where it waits, or −K_p ė/K_i where it keeps the moment at the limit.
+    /// Rates of set point and integral: ±a, or that of the command; e, or 0 where it waits, or −K_p ė/K_i where it keeps the moment
+    /// at the limit.
     pub fn winding(&self, past: &Regime<C>, ordered: &Ordered<C>, acceleration: C) -> [C; 2] {
         let [proportional, integral] = self.gains;
         let grows = match Hold::of(past.hold.value()) {
