@@ -105,6 +105,7 @@ fn derivatives_are_those_of_the_values() {
 /// The ready scene goes on with the same bits from a state that was written out, while it starts and while it stands.
 #[test]
 fn a_saved_state_goes_on() {
+    // In the first pulse, and while the load is lowered.
     for begun in [4.3, 34.1] {
         resumed::goes_on(READY, begun, 20);
     }

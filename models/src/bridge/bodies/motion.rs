@@ -60,12 +60,13 @@ impl<C: Calc> SlungTurning<C> {
 }
 
 /// Rates of the travels over the sway (m/s), speeds that the hoist's jump would give (m/s), what these turn with the slings, what
-/// accelerates the load across and along them (m/s²) and the spreader with the sway (J/kg), rates of all states but the trolley's.
+/// accelerates the load across and along them (m/s²), what the sway asks for of the spreader and is given by hoisting (J/kg), rates of
+/// all states but the trolley's.
 #[derive(Clone, Copy, Debug)]
 pub struct SlungRates<C> {
     pub travel: [Point<C>; 2],
     jump: [Point<C>; 2],
-    parts: [C; 4],
+    parts: [C; 5],
     rates: [C; 5],
 }
 results! { SlungRates as r => {
@@ -81,6 +82,7 @@ results! { SlungRates as r => {
     A_T2: r.parts[1];
     A_N2: r.parts[2];
     Y_W: r.parts[3];
+    Y_U: r.parts[4];
     D_PHI_R: r.rates[0];
     D_PSI_S: r.rates[1];
     D_W_PHI: r.rates[2];
@@ -95,8 +97,8 @@ impl<C: Calc> SlungRates<C> {
         [sway, slings]
     }
 
-    /// With a field f = (a, g): D ẇ_φ = ġ_s·u_2 + τ z − μ y − σ a_n, l_s ẇ_ψ = a_q − τ ẇ_φ; z = ψ̇ n·u_2, a_q = −t·(ġ_s w_φ + f) − z,
-    /// a_n = n·(ġ_s w_φ + f) − l_s ψ̇ w_ψ, y = g_1·(ġ_1 w_φ + f) − ġ_1·u_1 + i_1² β' β'' φ̇ (2 w_φ − φ̇). (Lagrange)
+    /// With a field f = (a, g): D ẇ_φ = y_u − μ y − σ a_n, l_s ẇ_ψ = a_q − τ ẇ_φ; z = ψ̇ n·u_2, a_q = −t·(ġ_s w_φ + f) − z,
+    /// a_n = n·(ġ_s w_φ + f) − l_s ψ̇ w_ψ, y = g_1·(ġ_1 w_φ + f) − ġ_1·u_1 + i_1² β' β'' φ̇ (2 w_φ − φ̇), y_u = ġ_s·u_2 + τ z. (Lagrange)
     #[expect(clippy::too_many_arguments, reason = "all that moves them")]
     pub fn new(
         load: &SlungLoad<C>,
@@ -127,12 +129,12 @@ impl<C: Calc> SlungRates<C> {
         let pulled = (dot(along, pushed(joint)) - slings.l_s * spin * load.w_psi).def(&s::A_N2);
         let spun = slings.i_1.square() * posture.turn[1] * posture.turn[2] * omega * (load.w_phi.scaled(2.0) - omega);
         let upper = (dot(posture.travel[0], pushed(own)) - dot(own, jump[0]) + spun).def(&s::Y_W);
-        let asked = dot(joint, jump[1]) + tau * swung - slung.ratio * upper - sigma * pulled;
-        let sway = (asked / turning.inertia).def(&s::D_W_PHI);
+        let hoisted = (dot(joint, jump[1]) + tau * swung).def(&s::Y_U);
+        let sway = ((hoisted - slung.ratio * upper - sigma * pulled) / turning.inertia).def(&s::D_W_PHI);
         SlungRates {
             travel: [own, joint],
             jump,
-            parts: [swung, to_load, pulled, upper],
+            parts: [swung, to_load, pulled, upper, hoisted],
             rates: [
                 omega,
                 spin,

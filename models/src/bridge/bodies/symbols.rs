@@ -56,6 +56,7 @@ symbols! {
 
     A_N2: "a_n2" "a_\"n\"" M_PER_S2 / M_PER_S2, "What accelerates the load along its slings, toward the joint negative.", "Lagrange";
     Y_W: "y_w" "y_w" J_PER_KG / J_PER_KG, "What the sway asks for of the spreader, over its mass, without what hoisting gives.", "Lagrange";
+    Y_U: "y_u" "y_\"u\"" J_PER_KG / J_PER_KG, "What hoisting gives the sway through the load, over the mass of the load.", "Lagrange";
 
     // Accelerations and pulls.
     B_1X: "b_1x" "b_(1 x)" M_PER_S2 / M_PER_S2, "Acceleration of the spreader that its pulls must give at steady angular velocities, along the beam.", "Newton and Euler";
