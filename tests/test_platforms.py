@@ -21,6 +21,8 @@ FOLDERS = {
     "x86_64-darwin": ("darwin64", "x86_64-darwin", "dylib"),
     "aarch64-linux": ("aarch64-linux", "aarch64-linux", "so"),
 }
+# Those that are built here: aarch64 differs by the compiler's own part alone, and costs as long again.
+BUILT = ["x86_64-linux", "x86_64-windows"]
 NAMES = {"so": "liblemnis_fmu.so", "dll": "lemnis_fmu.dll", "dylib": "liblemnis_fmu.dylib"}
 
 
@@ -64,7 +66,7 @@ def libraries(tmp_path_factory):
     """Builds one platform after the other as `fmu/platforms.py` does, without optimisation: of them the form is looked at, and one
     run. Gives the folder and what was not built."""
     folder, missing = tmp_path_factory.mktemp("platforms"), {}
-    for platform in platforms.PLATFORMS:
+    for platform in BUILT:
         try:
             platforms.build(platform, folder, "quick")
         except platforms.Absent as absent:
@@ -81,12 +83,10 @@ def exports(library):
 def test_libraries_of_several_platforms(libraries, tmp_path):
     folder, missing = libraries
     built = {path.parent.name: path.read_bytes() for path in folder.glob("*/*")}
-    assert "x86_64-linux" in built and set(built) | set(missing) == set(platforms.PLATFORMS)
-    starts = {"x86_64-linux": b"\x7fELF\x02\x01", "aarch64-linux": b"\x7fELF\x02\x01", "x86_64-windows": b"MZ"}
-    machines = {"x86_64-linux": b"\x3e\x00", "aarch64-linux": b"\xb7\x00"}
+    assert "x86_64-linux" in built and set(built) | set(missing) == set(BUILT) <= set(platforms.PLATFORMS)
+    starts = {"x86_64-linux": b"\x7fELF\x02\x01", "x86_64-windows": b"MZ"}
     for platform, library in built.items():
         assert library.startswith(starts[platform]), platform
-        assert library[18:20] == machines.get(platform, library[18:20]), platform
         # All functions of both standards, 44 and 75, and nothing else.
         assert sorted(exports(library)) == sorted(platforms.exports()), platform
         glibc = platforms.glibc(library)
