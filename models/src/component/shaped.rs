@@ -10,11 +10,12 @@ use crate::component::moving::MovingComponent;
 use crate::component::running::Running;
 use crate::component::sheet::{Curve, Input, Section, Sheet, Table};
 use crate::kernel::calc::Calc;
+use crate::kernel::course::Shaped;
 use crate::kernel::gravity::G;
 use crate::kernel::record::{Rec, record};
 use crate::kernel::symbol::{Symbol, listed};
 use crate::parts::hanging::{L_R, PHI_R, PLACE};
-use crate::parts::shaping::{Shaping, T_SH};
+use crate::parts::shaping::{T_SH, left};
 
 /// Of a shaped command and a rope.
 mod s {
@@ -31,9 +32,16 @@ const INSTANTS: u32 = 60;
 const KEPT: f64 = 1e-2;
 
 /// How the first of the shaped commands is.
-fn shaping<T: Described>(told: &Description<T>) -> Option<Shaping<f64>> {
-    let mut shaped = told.courses.iter().filter_map(|(_, course)| course.shaped.as_ref());
-    shaped.next().map(|(period, _)| Shaping { t_sh: *period })
+fn shaping<T: Described>(told: &Description<T>) -> Option<&Shaped> {
+    told.courses.iter().find_map(|(_, course)| course.shaped.as_ref())
+}
+
+/// Id of what the book says of it.
+fn id(shaping: &Shaped) -> &'static str {
+    match shaping.pulses {
+        2 => "shaping",
+        _ => "shaping_robust",
+    }
 }
 
 /// Tells it, where the load swings and a command is shaped.
@@ -44,32 +52,31 @@ pub(super) fn tell<T: Described>(told: &Description<T>, sheet: &mut Sheet) {
     let [length, gravity] = rope;
     let (trace, _) = record(|| {
         let [rope, gravity] = [Rec::given(&L_R, length), Rec::given(&G, gravity)];
-        let t_sh = Rec::given(&T_SH, shaping.t_sh);
-        Shaping { t_sh }.left(rope, gravity)
+        left(Rec::given(&T_SH, shaping.period), shaping.pulses, rope, gravity)
     });
     sheet.inputs.push(Input {
         symbol: &T_SH,
-        value: shaping.t_sh,
+        value: shaping.period,
         number: None,
         chapter: "shaping",
         given: None,
         usual: true,
     });
     sheet.constants.push(Section {
-        id: "shaping",
+        id: id(shaping),
         trace,
-        curve: Some(curve(&shaping, [length, gravity])),
-        table: Some(table(told, &shaping, rope)),
+        curve: Some(curve(shaping, [length, gravity])),
+        table: Some(table(told, shaping, rope)),
         ..Section::default()
     });
 }
 
 /// A row for each length around that of the rope (m) under gravity (m/s²); runs that do not come to their end have none, nor
 /// those in which the rope is reeled before it.
-fn table<T: Described>(told: &Description<T>, shaping: &Shaping<f64>, [rope, gravity]: [f64; 2]) -> Table {
+fn table<T: Described>(told: &Description<T>, shaping: &Shaped, [rope, gravity]: [f64; 2]) -> Table {
     let row = |part: f64| {
         let length = part * rope;
-        let [period, left] = shaping.left(length, gravity);
+        let [period, left] = left(shaping.period, shaping.pulses, length, gravity);
         let [shaped, plain] = [swing(told, length, period, true)?, swing(told, length, period, false)?];
         (plain > 0.0).then(|| vec![length, period, left, shaped / plain])
     };
@@ -129,14 +136,14 @@ fn angle(model: &mut MovingComponent) -> Option<f64> {
 }
 
 /// From half the length of the rope (m) to half as much again, under gravity (m/s²).
-fn curve(shaping: &Shaping<f64>, [rope, gravity]: [f64; 2]) -> Curve {
+fn curve(shaping: &Shaped, [rope, gravity]: [f64; 2]) -> Curve {
     let point = |i: u32| {
         let length = rope * (0.5 + f64::from(i) / f64::from(FINE));
-        let [_, left] = shaping.left(length, gravity);
+        let [_, left] = left(shaping.period, shaping.pulses, length, gravity);
         [length, left]
     };
     Curve {
-        id: "shaping",
+        id: id(shaping),
         x: &L_R,
         y: &s::RHO_SH,
         pieces: vec![(0..=FINE).map(point).collect()],

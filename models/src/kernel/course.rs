@@ -26,8 +26,18 @@ impl Between {
 pub struct Course {
     pub rows: Vec<[f64; 2]>,
     pub between: Between,
-    /// Where it is shaped: period (s) of the swing against which it is, and its rows without that.
-    pub shaped: Option<(f64, Vec<[f64; 2]>)>,
+    pub shaped: Option<Shaped>,
+}
+
+/// How a command is shaped against a swing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shaped {
+    /// Of the swing, in s.
+    pub period: f64,
+    /// Half a period apart: two equal ones, or three that are robust.
+    pub pulses: u64,
+    /// The command's rows without it.
+    plain: Vec<[f64; 2]>,
 }
 
 impl Course {
@@ -48,10 +58,19 @@ impl Course {
     }
 
     /// Half of itself, and half of itself half a period (s) later: of a swing of that period the second pulse takes what the
-    /// first one has given. [Singer1990, 76–82]
+    /// first one has given. Three pulses are the same once more. [Singer1990, 76–82]
     #[must_use]
-    pub fn shaped(self, period: f64) -> Course {
-        let late = 0.5 * period;
+    pub fn shaped(mut self, period: f64, pulses: u64) -> Course {
+        let plain = self.rows.clone();
+        for _ in 1..pulses {
+            self = self.halved(0.5 * period);
+        }
+        self.shaped = Some(Shaped { period, pulses, plain });
+        self
+    }
+
+    /// Half of itself, and half of itself later by some time (s).
+    fn halved(self, late: f64) -> Course {
         let both = self.rows.iter().flat_map(|[time, _]| [*time, *time + late]);
         let mut times: Vec<f64> = both.collect();
         times.sort_by(f64::total_cmp);
@@ -67,8 +86,7 @@ impl Course {
             .map(|&time| [time, 0.5 * (now(time) + delayed.at(time, time)[0])]);
         Course {
             rows: rows.collect(),
-            between: self.between,
-            shaped: Some((period, self.rows.clone())),
+            ..self
         }
     }
 
@@ -76,7 +94,7 @@ impl Course {
     #[must_use]
     pub fn plain(&self) -> Course {
         Course {
-            rows: self.shaped.as_ref().map_or(&self.rows, |(_, rows)| rows).clone(),
+            rows: self.shaped.as_ref().map_or(&self.rows, |shaped| &shaped.plain).clone(),
             between: self.between,
             shaped: None,
         }

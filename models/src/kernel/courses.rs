@@ -16,9 +16,13 @@ use crate::kernel::variable::TIME;
 pub(super) const OVER: &str = "over";
 pub(super) const BETWEEN: &str = "between";
 pub(super) const SHAPED: &str = "shaped";
+pub(super) const PULSES: &str = "pulses";
 
 /// Rows of one quantity at least and at most.
 const ROWS: [usize; 2] = [2, 1000];
+
+/// Pulses of one that is shaped: the fewest where it does not say how many.
+pub(super) const PULSES_ALLOWED: [u64; 2] = [2, 3];
 
 /// How a quantity is given over time.
 pub(super) fn help(key: &Key) -> String {
@@ -36,7 +40,7 @@ pub(super) fn read(
     found: &mut Vec<Diagnostic>,
 ) -> Option<Course> {
     let before = found.len();
-    let (mut rows, mut between, mut shaped) = (Vec::new(), None, None);
+    let (mut rows, mut between, mut shaped, mut pulses) = (Vec::new(), None, None, None);
     for (name, value) in table {
         match (name.get_ref().as_ref(), value.get_ref()) {
             (OVER, DeValue::Array(items)) => {
@@ -67,10 +71,27 @@ pub(super) fn read(
                     found.push(Diagnostic::new(value.span(), message, label).help(help));
                 }
             },
+            (PULSES, _) => {
+                let [two, three] = PULSES_ALLOWED;
+                let count = value
+                    .get_ref()
+                    .as_integer()
+                    .and_then(|number| number.as_str().parse().ok());
+                match count.filter(|count| (two..=three).contains(count)) {
+                    Some(count) => pulses = Some((count, name.span())),
+                    None => {
+                        let message = format!("`{path}.{PULSES}` is neither {two} nor {three}");
+                        let help =
+                            format!("set {PULSES} = {two}, or {PULSES} = {three}, which leave less on other periods");
+                        found.push(Diagnostic::new(value.span(), message, "not so many").help(help));
+                    }
+                }
+            }
             ("source", _) => {}
             _ => {
-                let message =
-                    format!("`{path}` over time has `over`, `between`, `shaped` and `source`, and nothing else");
+                let message = format!(
+                    "`{path}` over time has `over`, `between`, `shaped`, `pulses` and `source`, and nothing else"
+                );
                 found.push(Diagnostic::new(name.span(), message, "not this").help(help(key)));
             }
         }
@@ -94,6 +115,11 @@ pub(super) fn read(
             found.push(Diagnostic::new(place.clone(), message, "not halved: what comes before it is as it").help(help));
         }
     }
+    if let (None, Some((count, place))) = (shaped, &pulses) {
+        let message = format!("`{path}` comes in {count} pulses, and is not shaped");
+        let help = format!("add {SHAPED} = \"...\", the period of the swing, or remove {PULSES}");
+        found.push(Diagnostic::new(place.clone(), message, "against what?").help(help));
+    }
     let rows = rows.into_iter().map(|(time, value, _)| [time, value]).collect();
     let course = between.filter(|_| found.len() == before).map(|between| Course {
         rows,
@@ -101,7 +127,7 @@ pub(super) fn read(
         shaped: None,
     })?;
     Some(match shaped {
-        Some(period) => course.shaped(period),
+        Some(period) => course.shaped(period, pulses.map_or(PULSES_ALLOWED[0], |(count, _)| count)),
         None => course,
     })
 }

@@ -96,11 +96,10 @@ impl Start {
             between: Between::Steps,
             shaped: None,
         };
-        let times = [Start::TwoPulses, Start::Robust]
-            .iter()
-            .position(|known| *known == self);
-        for _ in 0..times.map_or(0, |place| place + 1) {
-            course = course.shaped(period);
+        match self {
+            Start::TwoPulses => course = course.shaped(period, 2),
+            Start::Robust => course = course.shaped(period, 3),
+            Start::Pulse | Start::Sixths => {}
         }
         course.rows.retain(|[time, _]| *time >= 0.0);
         course

@@ -23,6 +23,9 @@ const BOTTOM: f64 = 10.0;
 /// What of the greatest amount of a curve is rounding.
 const ROUNDING: f64 = 1e-9;
 
+/// What of the greatest amount of a curve is nothing beside it.
+const NOTHING: f64 = 1e-6;
+
 /// An axis: what is drawn, from where to where, with round numbers at its ticks.
 struct Axis {
     from: f64,
@@ -415,9 +418,9 @@ pub(super) fn axis_name(symbol: &Symbol) -> String {
     }
 }
 
-/// Four significant digits, or nothing where it is rounding beside the greatest amount of its curve.
+/// Four significant digits, or zero where it is nothing beside the greatest amount of its curve.
 fn four_digits(value: f64, size: f64) -> Number {
-    if value.abs() <= ROUNDING * size {
+    if value.abs() <= NOTHING * size {
         return Number::new(0.0, Digits::Decimals(0));
     }
     Number::new(
@@ -461,12 +464,13 @@ mod tests {
             (0.016_644, 0.02),
             (0.0, 0.0),
             (4e-16, 3.0),
+            (3.545e-8, 0.3666),
             (-17.1823, 2062.0),
             (12345.6, 12345.6),
         ];
         assert_eq!(
             all.map(|(value, size)| written(value, size)),
-            ["0.01664", "0", "0", "-17.18", "12346"]
+            ["0.01664", "0", "0", "0", "-17.18", "12346"]
         );
     }
 }
