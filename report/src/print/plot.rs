@@ -24,7 +24,7 @@ const BOTTOM: f64 = 10.0;
 const ROUNDING: f64 = 1e-9;
 
 /// What of the greatest amount of a curve is nothing beside it.
-const NOTHING: f64 = 1e-6;
+const NOTHING: f64 = 1e-4;
 
 /// An axis: what is drawn, from where to where, with round numbers at its ticks.
 struct Axis {
