@@ -71,22 +71,7 @@ pub(super) fn read(
                     found.push(Diagnostic::new(value.span(), message, label).help(help));
                 }
             },
-            (PULSES, _) => {
-                let [two, three] = PULSES_ALLOWED;
-                let count = value
-                    .get_ref()
-                    .as_integer()
-                    .and_then(|number| number.as_str().parse().ok());
-                match count.filter(|count| (two..=three).contains(count)) {
-                    Some(count) => pulses = Some((count, name.span())),
-                    None => {
-                        let message = format!("`{path}.{PULSES}` is neither {two} nor {three}");
-                        let help =
-                            format!("set {PULSES} = {two}, or {PULSES} = {three}, which leave less on other periods");
-                        found.push(Diagnostic::new(value.span(), message, "not so many").help(help));
-                    }
-                }
-            }
+            (PULSES, _) => pulses = counted(value, path, found).map(|count| (count, name.span())),
             ("source", _) => {}
             _ => {
                 let message = format!(
@@ -107,19 +92,7 @@ pub(super) fn read(
         let message = format!("`{path}`: the time {next} stands behind {first}");
         found.push(Diagnostic::new(place.clone(), message, "not later").help("let the times of its rows rise"));
     }
-    if let (Some(_), Some((_, value, place)), Some((symbol, _))) = (shaped, rows.first(), key.number()) {
-        // A place is where it was before; what changes it begins with a jump, of which one half must come later.
-        if *value != 0.0 && symbol.unit.dimension.s != 0 {
-            let message = format!("`{path}` is shaped, and begins with {}", symbol.written(*value));
-            let help = "begin with a row of zero, and let the first value come at a later time";
-            found.push(Diagnostic::new(place.clone(), message, "not halved: what comes before it is as it").help(help));
-        }
-    }
-    if let (None, Some((count, place))) = (shaped, &pulses) {
-        let message = format!("`{path}` comes in {count} pulses, and is not shaped");
-        let help = format!("add {SHAPED} = \"...\", the period of the swing, or remove {PULSES}");
-        found.push(Diagnostic::new(place.clone(), message, "against what?").help(help));
-    }
+    shapeable(key, path, shaped.is_some(), pulses.as_ref(), rows.first(), found);
     let rows = rows.into_iter().map(|(time, value, _)| [time, value]).collect();
     let course = between.filter(|_| found.len() == before).map(|between| Course {
         rows,
@@ -130,6 +103,47 @@ pub(super) fn read(
         Some(period) => course.shaped(period, pulses.map_or(PULSES_ALLOWED[0], |(count, _)| count)),
         None => course,
     })
+}
+
+/// How many pulses a shaped one comes in.
+fn counted(value: &Spanned<DeValue<'_>>, path: &str, found: &mut Vec<Diagnostic>) -> Option<u64> {
+    let [two, three] = PULSES_ALLOWED;
+    let count = value
+        .get_ref()
+        .as_integer()
+        .and_then(|number| number.as_str().parse().ok());
+    let count = count.filter(|count| (two..=three).contains(count));
+    if count.is_none() {
+        let message = format!("`{path}.{PULSES}` is neither {two} nor {three}");
+        let help = format!("set {PULSES} = {two}, or {PULSES} = {three}, which leave less on other periods");
+        found.push(Diagnostic::new(value.span(), message, "not so many").help(help));
+    }
+    count
+}
+
+/// Refuses a first row (time, value and place) that cannot be shaped, and pulses (with their place) of what is not.
+fn shapeable(
+    key: &'static Key,
+    path: &str,
+    shaped: bool,
+    pulses: Option<&(u64, Range<usize>)>,
+    first: Option<&(f64, f64, Range<usize>)>,
+    found: &mut Vec<Diagnostic>,
+) {
+    match (shaped, pulses, first.zip(key.number())) {
+        // A place is where it was before; what changes it begins with a jump, of which a part must come later.
+        (true, _, Some(((_, value, place), (symbol, _)))) if *value != 0.0 && symbol.unit.dimension.s != 0 => {
+            let message = format!("`{path}` is shaped, and begins with {}", symbol.written(*value));
+            let help = "begin with a row of zero, and let the first value come at a later time";
+            found.push(Diagnostic::new(place.clone(), message, "not halved: what comes before it is as it").help(help));
+        }
+        (false, Some((count, place)), _) => {
+            let message = format!("`{path}` comes in {count} pulses, and is not shaped");
+            let help = format!("add {SHAPED} = \"...\", the period of the swing, or remove {PULSES}");
+            found.push(Diagnostic::new(place.clone(), message, "against what?").help(help));
+        }
+        _ => {}
+    }
 }
 
 fn count(rows: usize) -> String {
