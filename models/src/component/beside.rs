@@ -97,11 +97,10 @@ fn taken<T: Described>(
         steps.for_each(|step| trace.names(step.formula, &mut named));
     }
     let mut taken = Vec::new();
-    T::Component::map(&T::given(told), &mut |_, (symbol, _), value| {
+    T::Component::each(&T::given(told), &mut |_, (symbol, _), value| {
         if symbol != coordinate && named.contains(&symbol) {
             taken.push((symbol, value));
         }
-        value
     });
     taken
 }

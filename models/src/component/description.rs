@@ -335,9 +335,8 @@ impl<T: Described> Description<T> {
         let chapters = T::OUTLINE.inputs;
         let rate = T::Component::GROUPS.iter().position(|(_, used)| *used == Use::Rate);
         let mut speed = None;
-        T::Component::map(&T::given(self), &mut |source, (symbol, _), value| {
+        T::Component::each(&T::given(self), &mut |source, (symbol, _), _| {
             speed = speed.or((rate == Some(usize::from(source.group))).then_some(symbol));
-            value
         });
         for &(chapter, name) in chapters {
             let path = match name {

@@ -274,11 +274,10 @@ impl<T: Component> Part for Runner<T, f64> {
     fn sources(&self) -> Vec<(Source, Quantity)> {
         let mut all = Vec::new();
         let given = self.given();
-        T::map(given, &mut |source, quantity, value| {
+        T::each(given, &mut |source, quantity, _| {
             if T::gives(given, quantity.0) {
                 all.push((source, quantity));
             }
-            value
         });
         together(&all)
     }

@@ -106,6 +106,8 @@ pub trait Stages: Sized + 'static {
     fn given<C: Scalar>(known: &Self::Known<C>) -> &Self::Given<C>;
     /// All sources over another scalar, in their order; nothing is known of it yet.
     fn map<C: Calc, D: Calc>(given: &Self::Given<C>, f: &mut dyn FnMut(Source, Quantity, C) -> D) -> Self::Given<D>;
+    /// Looks at all sources, in their order.
+    fn each<C: Calc>(given: &Self::Given<C>, f: &mut dyn FnMut(Source, Quantity, C));
     fn take<C: Scalar>(known: &Self::Known<C>, source: Source) -> C;
     /// Changes a source and forgets what follows from its group.
     fn put<C: Scalar>(known: &mut Self::Known<C>, source: Source, value: C);
@@ -418,6 +420,15 @@ macro_rules! stages {
                             f(source, quantity, value)
                         })
                     }),* }
+                }
+                fn each<$c: Calc>(given: &Given<$c>, f: &mut dyn FnMut(Source, Quantity, $c)) {
+                    $({
+                        let mut place = 0;
+                        Group::each(&given.$source, &mut |quantity, value| {
+                            f(Source { group: Bit::$source as u8, place }, quantity, value);
+                            place += 1;
+                        });
+                    })*
                 }
                 #[inline]
                 fn take<$c: Scalar>(known: &Known<$c>, source: Source) -> $c {

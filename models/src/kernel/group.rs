@@ -12,6 +12,13 @@ pub trait Group<C: Calc>: Clone + 'static {
     /// Numbers in it; of a `Vec`, in each.
     const SIZE: usize;
     fn map<D: Calc>(&self, f: &mut dyn FnMut(Quantity, C) -> D) -> Self::Over<D>;
+    /// Looks at each number, in the order of their places.
+    fn each(&self, f: &mut dyn FnMut(Quantity, C)) {
+        self.map(&mut |quantity, value| {
+            f(quantity, value);
+            value
+        });
+    }
     fn take(&self, place: usize) -> C;
     fn put(&mut self, place: usize, value: C);
     /// Whether the scene has it.
@@ -29,6 +36,9 @@ impl<C: Calc, G: Group<C>> Group<C> for Option<G> {
     const SIZE: usize = G::SIZE;
     fn map<D: Calc>(&self, f: &mut dyn FnMut(Quantity, C) -> D) -> Self::Over<D> {
         self.as_ref().map(|group| group.map(f))
+    }
+    fn each(&self, f: &mut dyn FnMut(Quantity, C)) {
+        self.iter().for_each(|group| group.each(f));
     }
     #[inline]
     fn take(&self, place: usize) -> C {
@@ -55,6 +65,11 @@ impl<C: Calc, G: Group<C>> Group<C> for Vec<G> {
         each.map(|(i, group)| group.map(&mut |(symbol, _), value| f((symbol, Some(i)), value)))
             .collect()
     }
+    fn each(&self, f: &mut dyn FnMut(Quantity, C)) {
+        for (i, group) in (1..).zip(self) {
+            group.each(&mut |(symbol, _), value| f((symbol, Some(i)), value));
+        }
+    }
     #[inline]
     fn take(&self, place: usize) -> C {
         self[place / G::SIZE].take(place % G::SIZE)
@@ -77,11 +92,10 @@ impl<C: Calc, G: Group<C>> Group<C> for Vec<G> {
 /// As [`check`].
 pub fn sound<C: Calc>(group: &impl Group<C>) -> Result<(), OutOfRange> {
     let mut sound = Ok(());
-    group.map(&mut |(symbol, _), value: C| {
+    group.each(&mut |(symbol, _), value: C| {
         if sound.is_ok() {
             sound = check(symbol, value.value(), symbol.range.ends());
         }
-        value
     });
     sound
 }
@@ -151,6 +165,10 @@ macro_rules! quantities {
             const SIZE: usize = [$(stringify!($field)),*].len();
             fn map<D: $crate::kernel::calc::Calc>(&self, f: &mut dyn FnMut($crate::kernel::variable::Quantity, C) -> D) -> $name<D> {
                 $name { $($field: f((&s::$symbol, None), self.$field)),* }
+            }
+            fn each(&self, f: &mut dyn FnMut($crate::kernel::variable::Quantity, C)) {
+                let symbols = $name::<C>::SYMBOLS.iter().enumerate();
+                symbols.for_each(|(place, &symbol)| f((symbol, None), $crate::kernel::group::Group::take(self, place)));
             }
             #[inline]
             #[allow(unused_assignments, reason = "the last count is not asked for")]

@@ -38,6 +38,9 @@ impl<C: Calc, G: Group<C>> Group<C> for ByAxis<G> {
     fn map<D: Calc>(&self, f: &mut dyn FnMut(Quantity, C) -> D) -> ByAxis<G::Over<D>> {
         ByAxis(self.0.each_ref().map(|axis| axis.map(f)))
     }
+    fn each(&self, f: &mut dyn FnMut(Quantity, C)) {
+        self.0.iter().for_each(|axis| axis.each(f));
+    }
     fn take(&self, place: usize) -> C {
         let (axis, place) = self.found::<C>(place);
         self.0[axis].take(place)
@@ -56,10 +59,7 @@ impl<G> ByAxis<G> {
     {
         for (i, axis) in self.0.iter().enumerate() {
             let mut size = 0;
-            axis.map(&mut |_, value: C| {
-                size += 1;
-                value
-            });
+            axis.each(&mut |_, _: C| size += 1);
             if place < size {
                 return (i, place);
             }
