@@ -211,6 +211,22 @@ fn a_saved_state_goes_on_in_the_same_bits() {
     assert_eq!(ends[0], ends[1]);
 }
 
+/// A set point that goes straight down to zero with its command is at zero then and stays, and is not a rounding beside it.
+#[test]
+fn a_set_point_comes_to_zero_with_its_command() {
+    let command = "omega_csl = { between = \"linear\", over = [[\"0 s\", \"0 deg/s\"], [\"1.7 s\", \"3.1 deg/s\"],\n\
+                   [\"5.3 s\", \"3.1 deg/s\"], [\"8.9 s\", \"0 deg/s\"]] }";
+    let mut model = continuous_shaft("", &format!("{command}\n{FREE}"));
+    model.start().expect("starts");
+    model.advance(0.0, 8.0).expect("runs");
+    assert!(get(&mut model, "omega_rsl") > 0.01);
+    model.advance(8.0, 8.9).expect("runs");
+    assert_eq!(
+        ["omega_rsl", "der(omega_rsl)"].map(|name| get(&mut model, name)),
+        [0.0; 2]
+    );
+}
+
 /// A shaped course is half of itself, and half of itself half a period later, at any time; one of three pulses is a quarter, a
 /// half and a quarter of itself.
 #[test]

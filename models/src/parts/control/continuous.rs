@@ -15,7 +15,7 @@ use crate::parts::joint::{LOOSE, above_zero};
 /// How far from its limit, as a part of it, a moment may be found where an importer has located that it meets it.
 const NEAR: f64 = 1e-6;
 
-/// How far from its command, as a part of it, a set point that has followed it may be found.
+/// How far from its command, as a part of it or of what it was at the last event, a set point that has followed it may be found.
 const THERE: f64 = 1e-12;
 
 /// What the quantities of a continuous controller are called.
@@ -233,8 +233,9 @@ impl SpeedControl {
         let (mut state, mut past) = (state, past);
         let (left, steady) = (commanded - state.set, past.slope == 0.0);
         let other = steady && commanded != past.target;
+        let size = commanded.abs().max(state.set.abs()).max(past.target.abs());
         let there = match past.way {
-            0.0 => left.abs() <= THERE * commanded.abs().max(state.set.abs()),
+            0.0 => left.abs() <= THERE * size,
             way => way * left <= 0.0 && !other,
         };
         past.target = commanded;
