@@ -6,10 +6,10 @@ Linux against glibc 2.17 (2012). Needs `pip install ziglang cargo-zigbuild`;
 Rust's own part of a target is fetched by `rustup target add` where it is not
 yet there.
 
-`tests/test_platforms.py` builds that of Windows; `release.py` makes all three and sees
-that those for Linux ask for no later glibc. Run by hand, not by the tests: `tests/c/smoke.c` with
-the aarch64 library under QEMU 7.2, and with the Windows library under Wine 8.0,
-which lacks bcryptprimitives.dll and was given one. Not run: real Windows, real aarch64.
+`tests/test_platforms.py` builds all three and runs the one of the machine. Run
+by hand, not by the tests: `tests/c/smoke.c` with the aarch64 library under
+QEMU 7.2, and with the Windows library under Wine 8.0, which lacks
+bcryptprimitives.dll and was given one. Not run: real Windows, real aarch64.
 """
 
 import json

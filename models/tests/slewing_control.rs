@@ -1,5 +1,5 @@
 //! The slewing controller: its samples against the recurrence of a rigid shaft in closed form, that against the continuous
-//! loop, limit, ramp and anti-windup; shaped commands against what two pulses leave of a swing.
+//! loop, limit, ramp and anti-windup; shaped commands against what two and three pulses leave of a swing.
 
 #[path = "common/named.rs"]
 mod named;
@@ -258,7 +258,7 @@ fn a_shaped_course_is_the_sum_of_its_pulses() {
 fn left(length: f64, shaped: &str) -> f64 {
     let text = format!(
         "name = \"Test\"\ntitle = \"Test\"\n[slewing]\nfidelity = \"swing\"\nR = \"20 m\"\nQ = \"1 kg\"\nJ_sl = \"4e6 kg.m2\"\n\
-         l_R = \"{length} m\"\n[slewing.control]\nK_psl = \"16e3 kN.m.s\"\nK_isl = \"16e3 kN.m\"\nT_csl = \"50 ms\"\n{FREE}\n\
+         l_R = \"{length} m\"\n[slewing.control]\nK_psl = \"16e3 kN.m.s\"\nK_isl = \"16e3 kN.m\"\nT_csl = \"2 ms\"\n{FREE}\n\
          omega_csl = {{ between = \"linear\", {shaped} over = [[\"0 s\", \"0 deg/s\"], [\"2 s\", \"0.1 deg/s\"],\n\
          [\"13 s\", \"0.1 deg/s\"], [\"14 s\", \"0 deg/s\"], [\"60 s\", \"0 deg/s\"]] }}\n\
          [slewing.dynamics]\nstep = \"20 ms\"\n\
@@ -274,11 +274,11 @@ fn left(length: f64, shaped: &str) -> f64 {
         get(&mut model, "omega_sl"),
     );
     let amplitude = (z * z + v_z * v_z / (own * own)).sqrt();
-    // The crane is at rest but for what the load pulls it along: m g R φ through J s² + K_p s + K_i.
+    // The crane is at rest but for what the load pulls it along: m g R φ through J s² + K_p s + K_i of a loop that is never sampled.
+    // Samples add a part in proportion to their cycle, 1.6 % at 50 ms: it is short here.
     let (stiff, damped) = (16e6 - 4e6 * own * own, 16e6 * own);
     let pulled = G * 20.0 * amplitude / length * own / (stiff * stiff + damped * damped).sqrt();
-    // Three pulses leave so little that the solver's own error shows: 1e-7 of the commanded speed.
-    assert!(omega.abs() <= 1.001 * pulled + 1e-10, "{omega} of {pulled}");
+    assert!(omega.abs() <= 1.001 * pulled, "{omega} of {pulled}");
     amplitude
 }
 
