@@ -2,7 +2,6 @@
 
 use lemnis_models::kernel::calc::Calc;
 use lemnis_models::luffing::moving::crane::Commands;
-use lemnis_models::luffing::moving::dynamics::Wind;
 use lemnis_models::luffing::moving::motion::{self, MotionState, MovingLinkage};
 use lemnis_models::luffing::moving::space::{Slewing, SlewingState};
 use lemnis_models::parts::air::AirDrag;
@@ -24,20 +23,20 @@ const BRAKED: Commands<2> = Commands {
     hoist: HoistCommand::speed(0.0),
 };
 
+/// What the air does to a load, and its speed (m/s) and direction (rad).
+type Wind = (AirDrag<f64>, [f64; 2]);
+
 fn wind(linear: f64, square: f64, blows: [f64; 2]) -> Wind {
-    Wind {
-        drag: AirDrag { linear, square },
-        blows,
-    }
+    (AirDrag { linear, square }, blows)
 }
 
 /// In the plane and in space, with friction of luffing.
 fn both(air: Wind, friction: [f64; 2]) -> (MovingLinkage, Slewing) {
     let mut space = crane::slewing(Some(crane::PENDULUM), 5e6, [friction, [0.0, 0.0]]);
-    space.dynamics = space.dynamics.in_air(air);
+    space.dynamics = space.dynamics.in_air(air.0, air.1);
     let [viscous, coulomb] = friction;
     let plane = MovingLinkage {
-        dynamics: crane::dynamics(Some(crane::PENDULUM)).in_air(air),
+        dynamics: crane::dynamics(Some(crane::PENDULUM)).in_air(air.0, air.1),
         joints: [Joint {
             friction: Friction { viscous, coulomb },
             stops: [60_f64.to_radians(), 120_f64.to_radians()],
@@ -201,7 +200,7 @@ fn an_empty_hook_moves_as_the_lightest_load() {
     let air = wind(0.05, 0.02, [5.0, 0.3]);
     let with = |mass: f64| {
         let mut space = crane::slewing(Some(crane::pendulum(mass)), 5e6, [[1e5, 0.0], [1e5, 0.0]]);
-        space.dynamics = space.dynamics.in_air(air);
+        space.dynamics = space.dynamics.in_air(air.0, air.1);
         let mut state = at(10.0, [0.4, 0.2]);
         space.advance(&mut state, &BRAKED, 5.0, 1e-3).expect("moves");
         state.y

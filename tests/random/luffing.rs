@@ -8,7 +8,9 @@ use lemnis_models::kernel::schema::Key;
 use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::luffing::double_link::resisting::PARTS;
 use lemnis_models::luffing::double_link::symbols as s;
+use lemnis_models::parts::air::AROUND;
 use lemnis_models::parts::plane::{Point, cross, length, turned};
+use lemnis_models::parts::side_wind::{A_WS, R_WS};
 use toml::Table;
 
 use crate::cases::cases;
@@ -788,11 +790,51 @@ pub fn dynamics(n: &mut Node, turns: &str, rope: bool, oil: bool) {
     if n.has("ground") {
         ground(n);
     }
+    let side = n.child("slewing").is_some_and(|turning| turning.has("A_ws"));
+    if side {
+        n.keep("air", true);
+    }
     if n.has("air") {
         let table = if n.has("hoisting") { "hoisting" } else { "dynamics" };
-        let (long, slews) = (n.child(table).expect("there").get("l_R"), n.has("slewing"));
+        let long = if rope {
+            n.child(table).expect("there").get("l_R")
+        } else {
+            1.0
+        };
+        let slews = n.has("slewing");
         air(n, long, slews);
     }
+    if side && !rope {
+        n.child("air").expect("kept").remove(&AROUND);
+    }
+    if n.has("slewing") {
+        aside(n, side);
+    }
+}
+
+/// Where there is an area of what slews, one that its wind turns by a radian in a natural time or later.
+fn aside(n: &mut Node, side: bool) {
+    let wind = n.child("air").map(|air| pressure(&air));
+    let mut turning = n.child("slewing").expect("there");
+    turning.keep("r_ws", side);
+    if let Some(pressure) = wind.filter(|_| side) {
+        let inertia = turning.get("J_sl");
+        area(&mut turning, pressure, inertia);
+    }
+}
+
+/// Pressure of the wind of a table of the air, in Pa.
+pub fn pressure(air: &Node) -> f64 {
+    0.5 * air.get("rho_air").max(1.225) * air.get("v_air").powi(2)
+}
+
+/// An area that a pressure (Pa) turns by a radian in a natural time or later, with an inertia (kg·m²).
+pub fn area(n: &mut Node, pressure: f64, inertia: f64) {
+    let place = n.draw.natural(&R_WS) * n.draw.between(-1.0, 1.0);
+    let most = inertia / n.draw.scale[2].powi(2) / (pressure * place.abs()).max(1e-300);
+    let own = most.min(n.draw.natural(&A_WS)) * n.draw.between(0.0, 1.0);
+    n.set("r_ws", place);
+    n.set("A_ws", own);
 }
 
 /// Controllers of luffing with an inertia (kg·m²) where it may have one, of slewing, and of a hoist's motor, for a run of a duration (s).

@@ -11,7 +11,7 @@ use lemnis_models::slewing::symbols as s;
 use toml::Table;
 
 use crate::control::{SLEWING, controlled, cycle};
-use crate::luffing::{air, working_range};
+use crate::luffing::{air, area, pressure, working_range};
 use crate::scene::{Draw, Node};
 
 /// A result that every level has.
@@ -112,13 +112,8 @@ fn windy(n: &mut Node, inertia: f64, rope: Option<f64>) {
     if rope.is_none() {
         n.child("air").expect("kept").remove(&AROUND);
     }
-    let air = n.child("air").expect("kept");
-    let pressure = 0.5 * air.get("rho_air").max(1.225) * air.get("v_air").powi(2);
-    let place = n.draw.natural(&s::R_WS) * n.draw.between(-1.0, 1.0);
-    let most = inertia / n.draw.scale[2].powi(2) / (pressure * place.abs()).max(1e-300);
-    let area = most.min(n.draw.natural(&s::A_WS)) * n.draw.between(0.0, 1.0);
-    n.set("r_ws", place);
-    n.set("A_ws", area);
+    let pressure = pressure(&n.child("air").expect("kept"));
+    area(n, pressure, inertia);
 }
 
 /// A coupling that lets the drive slew, and holds the weights across the slope.

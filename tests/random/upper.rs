@@ -13,6 +13,9 @@ use crate::cases::start;
 use crate::luffing::{LEAST_LENGTH, air, load};
 use crate::scene::Node;
 
+/// Pressure of the strongest wind that moving scenes draw, in Pa.
+const STRONGEST: f64 = 0.5 * 2.0 * 30.0 * 30.0;
+
 /// So much weight at so great a size, the bodies and the load as many times that size from the axis as `far` says.
 pub fn slewing(n: &mut Node, [size, weight, far]: [f64; 3]) {
     let bodies = n.draw.rng.usize(1..4);
@@ -36,9 +39,17 @@ pub fn slewing(n: &mut Node, [size, weight, far]: [f64; 3]) {
         }
     }
     let (areas, cases) = (n.draw.rng.usize(0..3), n.draw.rng.usize(1..4));
-    let [drives, brakes] = turning(n, [size, weight]);
+    let [drives, brakes] = turning(n, [size, weight, far]);
+    // Under a wind as strong as any here it is pushed by so small a part of the weight as under the pressure of a case.
+    let blows = n.child("slewing").is_some_and(|own| own.has("air"));
+    let most = if blows {
+        weight * 0.02 / STRONGEST
+    } else {
+        f64::INFINITY
+    };
     list(n, "areas", areas, &mut |draw, _| {
         let (area, height) = (size * size * draw.between(0.0, 1.0), size * draw.between(0.0, 1.0));
+        let area = area.min(most);
         let place = (&d::R_W, size * draw.between(-0.5, 0.5));
         let own = [(&s::A_W, area), (&s::H_W, height), place];
         row(draw, if drives { &own } else { &own[..2] })
@@ -142,8 +153,9 @@ fn swung(n: &mut Node, rope: f64) -> bool {
     held
 }
 
-/// What makes a drive legal, of a crane of a size (m) and a weight (N); whether there is one, and its brake.
-fn turning(n: &mut Node, [size, weight]: [f64; 2]) -> [bool; 2] {
+/// What makes a drive legal, of a crane of a size (m) and a weight (N) that reaches that many times its size; whether there is
+/// one, and its brake.
+fn turning(n: &mut Node, [size, weight, far]: [f64; 3]) -> [bool; 2] {
     let rubs = n.has("friction") || n.has("maker_friction");
     let drives = rubs && (n.has("slewing_drive") || n.draw.coin(0.5));
     n.keep("slewing_drive", drives);
@@ -160,7 +172,9 @@ fn turning(n: &mut Node, [size, weight]: [f64; 2]) -> [bool; 2] {
     }
     drive.put("heating", 1);
     let shaft = power * time * time * time / (ratio * ratio) * drive.draw.between(0.01, 1.0);
-    drive.set("J_M", shaft.max(1e-8));
+    // A drive behind a coupling has a millionth of the inertia of what slews at least.
+    let least = 1e-6 * weight * time * time * size * far * far / (ratio * ratio);
+    drive.set("J_M", shaft.max(1e-8).max(least));
     start(&mut drive);
     let torque = power / turns;
     let brakes = drive.has("brake") || drive.draw.coin(0.5);

@@ -23,6 +23,7 @@ pub mod plane;
 pub mod polyline;
 pub mod safety;
 pub mod shaping;
+pub mod side_wind;
 pub mod slip;
 pub mod smooth_curve;
 pub mod solid;

@@ -5,17 +5,12 @@ use nalgebra::Vector3;
 
 use crate::component::stages::{Found, absent, results};
 use crate::kernel::calc::Calc;
-use crate::kernel::group::{One, quantities};
 use crate::parts::air::{AirAround, AirDrag, Stream, WindAround};
 use crate::parts::hanging::turned;
+use crate::parts::side_wind::SlewedArea;
 use crate::slewing::swinging::Swinging;
 use crate::slewing::symbols as s;
 use crate::slewing::turning::{Hung, SlewedLoad};
-
-quantities! {
-    /// The structure as the wind meets it from the side.
-    SlewedArea { a_ws: A_WS, r_ws: R_WS }
-}
 
 /// The wind on the structure: its pressure, in Pa and with the sign of its speed, and its moment about the slewing axis, in N·m.
 #[derive(Clone, Copy, Debug)]
@@ -26,23 +21,18 @@ pub struct WindOnSlewed<C> {
 results! { WindOnSlewed as w => { P_WS: w.pressure; M_WS: w.moment; } }
 
 impl<C: Calc> WindOnSlewed<C> {
-    /// p = ½ ρ v |v|, M_ws = p A_ws r_ws sin(χ − ψ): the law by which a drive is designed, for the wind over the ground.
-    /// [Ports001, 6.4]
+    /// As [`SlewedArea::pushed`].
     pub fn new(
         area: &SlewedArea<C>,
         blowing: &WindAround<C>,
-        density: &Option<One<C>>,
         around: &Option<AirAround<C>>,
         psi: &C,
     ) -> Found<WindOnSlewed<C>> {
-        let rho = density.map(|rho| *rho).or(around.map(|around| around.rho_air));
-        let rho = rho.ok_or_else(absent)?;
-        let pressure = (C::constant(0.5) * rho * blowing.v_air * blowing.v_air.abs()).def(&s::P_WS);
-        let aside = (blowing.chi_air - *psi).sin();
-        Ok(WindOnSlewed {
-            pressure,
-            moment: (pressure * area.a_ws * area.r_ws * aside).def(&s::M_WS),
-        })
+        let pushed = area
+            .in_air(around.as_ref())
+            .pushed([blowing.v_air, blowing.chi_air], *psi);
+        let [pressure, moment] = pushed.ok_or_else(absent)?;
+        Ok(WindOnSlewed { pressure, moment })
     }
 }
 

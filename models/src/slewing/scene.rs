@@ -27,10 +27,10 @@ use crate::parts::control::{Latched, SpeedControl, taken};
 use crate::parts::hanging::{self, HangingLoad};
 use crate::parts::motion::Motion;
 use crate::parts::plane::Point;
-use crate::parts::shaping;
 use crate::parts::slip;
 use crate::parts::turntable::{self as joint, SlewingJoint, WIND_ON_SLEWED};
 use crate::parts::turntable_control::{self, AXIS, CONTINUOUS, CONTROL};
+use crate::parts::{shaping, side_wind};
 use crate::slewing::air_scene::{SlewedAir, refused};
 use crate::slewing::bounds::{Slewed, weightless};
 use crate::slewing::coupling::{DriveSide, SlipCoupling, SlipPast};
@@ -228,6 +228,7 @@ impl Described for SlewingScene {
         own: &[s::ALL],
         shared: &[
             shaping::ALL,
+            side_wind::ALL,
             joint::ALL,
             turntable_control::ALL,
             hanging::ALL,
@@ -296,7 +297,6 @@ impl Described for SlewingScene {
             swung: swings.then(|| HangingLoad::resting(n(s::L_R.id), [&s::PHI_R, &s::CHI_R].map(|a| n(a.id))).into()),
             rope: RopeLength::read(v).filter(|_| swings),
             area: air.area,
-            density: air.density,
             around: air.around,
             blowing: air.blowing,
             slackness: swings.then_some(Slackness { slack: 0.0 }),

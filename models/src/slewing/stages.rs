@@ -10,8 +10,9 @@ use crate::parts::control::continuous::{Regime, Regulating};
 use crate::parts::control::{Latched, SpeedControl};
 use crate::parts::hanging::HangingLoad;
 use crate::parts::joint::{Arrival, Bar, Joint};
+use crate::parts::side_wind::SlewedArea;
 use crate::parts::turntable::Turning;
-use crate::slewing::air::{FeltAir, SlewedArea, WindOnSlewed, outer, stream};
+use crate::slewing::air::{FeltAir, WindOnSlewed, outer, stream};
 use crate::slewing::blows::SwungInstant;
 use crate::slewing::control::{
     ControlEvents, Controlled, Regulated, Regulation, Winding, accelerated, acting, sampled, speed,
@@ -36,7 +37,6 @@ stages! {
         Parameter turning: Turning<C>,
         Parameter slope: Option<Ground<C>>,
         Parameter area: Option<SlewedArea<C>>,
-        Parameter density: Option<One<C>>,
         Input driven: Option<SlewingDrive<C>>,
         State swung: Option<SwingingLoad<C>>,
         Parameter rope: Option<RopeLength<C>>,
@@ -58,7 +58,7 @@ stages! {
         carried: SlewedLoad<C> = SlewedLoad::new(hung);
         total: C = total(turning, carried) => J_TOT;
         tilt: C = tilt(slope[!], hung, psi) => M_GAMMA;
-        wind: WindOnSlewed<C> = WindOnSlewed::new(area[!], blowing[!], density, around, psi);
+        wind: WindOnSlewed<C> = WindOnSlewed::new(area[!], blowing[!], around, psi);
         outer: Option<C> = outer(tilt[?], wind[?]) => _;
         steady: Steady<C> = Steady::new(turning, outer, omega);
         circling: Circling<C> = Circling::new(carried, hung, total, omega);

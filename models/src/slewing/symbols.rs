@@ -7,6 +7,7 @@ pub use crate::parts::air::{CHI_AIR, F_AIR, P_AIR, RHO_AIR, V_AIR};
 pub use crate::parts::hanging::{
     ALPHA_0SL, D_V_QX, D_V_QY, D_V_QZ, D_X_Q, D_Y_Q, D_Z_Q, L_R, PHI_R, S_R, V_QX, V_QY, V_QZ, X_Q, Y_Q, Z_Q, Z_ROPE,
 };
+pub use crate::parts::side_wind::{A_WS, M_WS, P_WS, R_WS};
 use crate::parts::slip;
 pub use crate::parts::slip::{
     D_OMEGA_D, D_PSI_SLIP, E_D, J_D, M_CD, M_LIM, M_RD, OMEGA_D, P_SLIP, PSI_SLIP, SLIP, W_SLIP, WAY_D, Z_C_LOOSE,
@@ -30,8 +31,6 @@ symbols! {
     GAMMA_S: "gamma_s" "gamma_\"s\"" RAD / DEG [from_to(0.0, 0.5)], "Slope on which the crane stands; the slewing angle counts from its downhill direction.", "input";
     G_U: "G_u" "G_u" N / KN [not_negative], "Weight of all that slews, without the load.", "input";
     R_U: "r_u" "r_u" M / M, "Distance of the centre of gravity of all that slews from the slewing axis, without the load; positive on the load's side.", "input";
-    A_WS: "A_ws" "A_\"ws\"" M2 / M2 [not_negative], "Wind area of all that slews, seen from the side, with its shape coefficient; without the load.", "input";
-    R_WS: "r_ws" "r_\"ws\"" M / M, "Distance of the centre of the wind area from the slewing axis; positive on the load's side.", "input";
     STEP: "step" "h" S / MS [positive], "Longest step of the solver.", "input";
 
     // Results at any angle.
@@ -39,8 +38,6 @@ symbols! {
     J_Q: "J_Q" "J_Q" KG_M2 / T_M2 [not_negative], "Inertia of the load about the slewing axis.", "derived";
     J_TOT: "J_tot" "J_\"tot\"" KG_M2 / T_M2 [not_negative], "Inertia of all that slews about the slewing axis, with the load.", "[Ports001, 6.5]";
     M_GAMMA: "M_gamma" "M_gamma" N_M / KN_M, "Moment of the weights on the slope about the slewing axis; positive counter-clockwise, seen from above.", "virtual work";
-    P_WS: "p_ws" "p_\"ws\"" PA / PA, "Pressure of the wind on all that slews, with the sign of its speed.", "[Ports001, 5.5.4]";
-    M_WS: "M_ws" "M_\"ws\"" N_M / KN_M, "Moment of the wind on all that slews about the slewing axis, without the load; positive counter-clockwise, seen from above.", "[Ports001, 6.4]";
     M_ST: "M_st" "M_\"st\"" N_M / KN_M, "Moment that the drive must give to slew steadily counter-clockwise.", "[Ports001, 6.4]";
     P_ST: "P_st" "P_\"st\"" W / KW, "Power of the drive while the crane slews steadily; negative where slope or wind drives it.", "derived";
     F_N: "F_n" "F_n" N / KN [not_negative], "Horizontal force towards the axis that keeps the load on its circle.", "Newton and Euler";

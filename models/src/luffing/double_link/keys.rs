@@ -16,7 +16,7 @@ use crate::luffing::moving::hoisting::HOISTING_KEYS;
 use crate::luffing::moving::oil_scene::OIL_KEYS;
 use crate::luffing::moving::scene::SLEWING_KEYS;
 use crate::luffing::resistances::scene::CASES;
-use crate::parts::air::AIR;
+use crate::parts::air::AIR_OR_WIND;
 use crate::parts::ground::GROUND;
 use crate::parts::motion::Motion;
 
@@ -60,7 +60,7 @@ pub const KEYS: &[Key] = &joined::<_, 13, 19, 32>(LINKS, [
     Key::part("dynamics", moving::scene::KEYS, "Inertias, friction, drive and rope of a mechanism in motion."),
     CONTROL,
     HOISTING,
-    AIR,
+    AIR_OR_WIND,
     GROUND,
     Key::part("hydraulics", OIL_KEYS, "Oil, valve and lines of the luffing cylinder in motion."),
     Key::part("table", TABLE, "Interpolation of the level \"table\"."),

@@ -19,7 +19,9 @@ use crate::luffing::resistances::symbols::{M_R_SUM, P_I};
 use crate::luffing::strength::outline::WorkedOutline;
 use crate::luffing::{resistances, strength};
 use crate::parts::hydraulics::symbols as h;
-use crate::parts::{air, ground, hanging, hydraulics, motor, shaping, starts, teeth, turntable, turntable_control};
+use crate::parts::{
+    air, ground, hanging, hydraulics, motor, shaping, side_wind, starts, teeth, turntable, turntable_control,
+};
 
 /// What given quantities of its own are for that no formula has.
 const OWN_USES: [Purpose; 13] = [
@@ -184,6 +186,7 @@ pub const VOCABULARY: Vocabulary = Vocabulary {
         hanging::ALL,
         turntable::ALL,
         turntable_control::ALL,
+        side_wind::ALL,
         shaping::ALL,
         control::luffing::ALL,
         control::hoist::ALL,

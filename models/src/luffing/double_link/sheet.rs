@@ -43,6 +43,7 @@ use crate::luffing::moving::told::motion::moved;
 use crate::luffing::moving::told::shown::running;
 use crate::luffing::resistances;
 use crate::luffing::with_balance::{WithBalance, agreement, searched};
+use crate::parts::air::AROUND;
 use crate::parts::motion::Motion;
 
 /// What is told of a plain boom, for which jib and rocker only stand in: its balance, its drive and these.
@@ -76,7 +77,7 @@ impl Described for LuffingScene {
 
     fn given(this: &Luffing) -> Given<f64> {
         let p = &this.parameters;
-        at_rest! { (this.cases, this.driving) without [inertias, motor, turning, oil, oil_parts];
+        at_rest! { (this.cases, this.driving) without [inertias, motor, slewed, oil, oil_parts];
             theta: One(p.driven.coordinate(), this.motion.from),
             omega: One(p.driven.rate(), this.motion.speed),
             load: this.q.map(|q| One(&s::Q, q)),
@@ -167,10 +168,12 @@ impl Described for LuffingScene {
             _ => vec![("dynamics", &["M_A", "M_S"]), ("control", &[])],
         };
         let rope = self.moving.as_ref().is_some_and(|moving| moving.rope.is_some());
+        let side = self.moving.as_ref().is_some_and(|moving| moving.area.is_some());
         if !(rope && matches!(level, "swing" | "hydraulic")) {
             unused.extend([
                 ("slewing", &["chi_R"][..]),
                 ("hoisting", &[]),
+                ("air", if side { &AROUND } else { &[] }),
                 ("ground", &[]),
                 ("dynamics", &["l_R", "phi_R", "v_h", "a_h"][..]),
                 ("limits", &["phi_max"][..]),

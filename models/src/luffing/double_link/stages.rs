@@ -46,12 +46,12 @@ use crate::luffing::moving::control::acting;
 use crate::luffing::moving::fragments::{
     coordinate, exposed, geared, plant, pulled, regulated, remembered, surrounded, told,
 };
-use crate::luffing::moving::given::{CylinderOil, Fitted};
+use crate::luffing::moving::given::{CylinderOil, Fitted, SlewedParts};
 use crate::luffing::moving::level::{CraneAt, Level};
 use crate::luffing::moving::listed::{ALL_INDICATORS, Said, luffing_component, said};
 use crate::luffing::moving::luffs::luffs;
 use crate::luffing::moving::reduced::Renewed;
-use crate::luffing::moving::stages::{self, CraneEvents, CraneMoves, CraneOil, LoadSeen, OilFlows};
+use crate::luffing::moving::stages::{self, CraneEvents, CraneMoves, CraneOil, LoadSeen, OilFlows, OnSlewing};
 use crate::luffing::resistances::fragments::{cases, chosen, resisted, sheared};
 use crate::luffing::resistances::outline::WHOLE;
 use crate::luffing::resistances::symbols::M_R_OWN;
@@ -63,7 +63,6 @@ use crate::parts::hydraulics::parts::OilParts;
 use crate::parts::motion::{Motion, degrees};
 use crate::parts::plane::Point;
 use crate::parts::starts::way;
-use crate::parts::turntable::Turning;
 
 /// Quantities at rest and in motion.
 mod s {
@@ -80,7 +79,7 @@ composed! {
         ..coordinate(theta, omega),
         Parameter inertias: Option<Inertias<C>>,
         ..plant(motor),
-        Parameter turning: Option<Turning<C>>,
+        Parameter slewed: Option<SlewedParts<C>>,
         Parameter oil: Option<CylinderOil<C>>,
         Parameter oil_parts: Option<OilParts<C>>,
         ..remembered(),
@@ -131,7 +130,7 @@ composed! {
         ..sheared();
         parameters: Parameters<C> = parameters(lengths, jib, weights, mount, cylinder, balance, choice) => _;
         parts[constants]: Vec<CraneParts<C>> = motion::parts(
-            parameters, load[!], inertias[!], constants[!], ramp, motor, give, around, ground, turning, oil, oil_parts, fitted, choice
+            parameters, load[!], inertias[!], constants[!], ramp, motor, give, around, ground, slewed, oil, oil_parts, fitted, choice
         ) => _;
         linkage[constants]: Vec<Renewed<HeavyLinkage<C>>> = motion::linkage(parts) => _;
         ..geared(way);
@@ -147,7 +146,7 @@ composed! {
         hauling: Hauling<C> = hauling(gear[!], forces);
         ..regulated(theta, omega);
         ..surrounded(theta);
-        resisting_slewing: C = stages::resisting_slewing(built, told, at, theta) => M_R_SL;
+        on_slewing: OnSlewing<C> = OnSlewing::new(built, told, at, theta, slewed[!], around, states[!]);
         seen: LoadSeen<C> = LoadSeen::new(at, fitted);
         cavitates: CraneOil = CraneOil::new(at, moves, oil[!]);
         oil_flows: OilFlows<C> = OilFlows::new(built, told, at, oil_parts[!]);
@@ -155,7 +154,7 @@ composed! {
     }
 }
 
-luffs!(DoubleLink by theta, omega with motor, turning, oil, oil_parts holds pulls);
+luffs!(DoubleLink by theta, omega with motor, slewed, oil, oil_parts holds pulls);
 
 taut_rope!(pulls by theta);
 

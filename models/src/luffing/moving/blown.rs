@@ -26,10 +26,10 @@ impl<P: Calc> Dynamics<P> {
         let (out, along) = directions(m.swing);
         let velocity = r.head[1] * m.omega + along * (reel.length * m.swing_rate) + out * reel.rate;
         let against = plane::def(
-            velocity - Point::new(C::of(air.blows[0]), C::constant(0.0)),
+            velocity - Point::new(C::of(self.blows()[0]), C::constant(0.0)),
             [&s::U_AIR_X, &s::U_AIR_Y],
         );
-        Some(([velocity, against].map(Into::into), air.drag.over()))
+        Some(([velocity, against].map(Into::into), air.over()))
     }
 
     /// Acceleration that air and slope give the load, in m/s², where there are any.

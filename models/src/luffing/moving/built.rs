@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::component::scalar::Scalar;
 use crate::kernel::calc::Calc;
 use crate::luffing::moving::bodies::{Pendulum, Turntable};
-use crate::luffing::moving::dynamics::{Coordinate, Dynamics, Wind};
+use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
 use crate::luffing::moving::exposed::{Exposed, shared};
 use crate::luffing::moving::geared::Geared;
 use crate::luffing::moving::given::{Constants, Fitted};
@@ -24,6 +24,7 @@ use crate::parts::hoist::{Elastic, Hoist, HoistCommand, Winch, WinchDrive};
 use crate::parts::hydraulics::cylinder::Cylinder;
 use crate::parts::joint::{Friction, Joint, JointDrive};
 use crate::parts::motion::Motion;
+use crate::parts::side_wind::SlewedArea;
 use crate::parts::turntable::Turning;
 
 /// Natural frequency, in rad/s, of the mechanism alone against an end stop of the hydraulic level;
@@ -102,6 +103,8 @@ pub struct LevelParts<P: Calc> {
     /// Around the load.
     pub around: Option<AirAround<P>>,
     pub ground: Option<GroundBelow<P>>,
+    /// Of what slews, with the density of its air.
+    pub area: Option<SlewedArea<P>>,
     pub fitted: Fitted,
 }
 
@@ -132,11 +135,10 @@ impl<P: Coordinate<P>> LevelParts<P> {
         let luffing = joint(constants.c_v, constants.m_f, [self.range.from, self.range.to]);
         let slewing = (self.turning.zip(fitted.slewing)).map(|(t, stops)| joint(t.c_sl, t.m_f_sl, stops));
         if let Some(around) = &self.around {
-            let still = P::constant(0.0);
-            dynamics = dynamics.in_air(Wind {
-                drag: AirDrag::new(around, constants.g),
-                blows: [still; 2],
-            });
+            dynamics = dynamics.in_air(AirDrag::new(around, constants.g), [P::constant(0.0); 2]);
+        }
+        if let Some(area) = self.area {
+            dynamics = dynamics.from_the_side(area);
         }
         if let Some(ground) = self.ground {
             dynamics = dynamics.above_ground(ground.y_g);

@@ -391,7 +391,7 @@ impl<T: Luffs> Carrier for CarriedCrane<T> {
         let now = given.sources;
         if let (Some((symbol, _)), Some(mut states), Some(mut past)) = (set, now.states, now.past) {
             let gives = now.give.is_some() && given.load.is_some_and(|load| load.1 != 0.0);
-            if symbol == &m::L_R && now.turning.is_none() && !gives && past.taut {
+            if symbol == &m::L_R && now.slewed.is_none() && !gives && past.taut {
                 states.0[S_Q] = states.0[L_R];
             }
             if symbol == given.omega.0 {

@@ -52,11 +52,8 @@ impl<const N: usize, const J: usize> Commanded<'_, N, J> {
             return Cow::Borrowed(self.crane);
         };
         let mut crane = self.crane.clone();
-        if let Some(air) = self.crane.dynamics.air() {
-            let [speed, to] = air.blows;
-            let [gains, turns] = slopes.wind;
-            crane.dynamics.put_wind([speed + gains * time, to + turns * time]);
-        }
+        let ([speed, to], [gains, turns]) = (self.crane.dynamics.blows(), slopes.wind);
+        crane.dynamics.put_wind([speed + gains * time, to + turns * time]);
         if let Some(outdoors) = self.crane.dynamics.weather() {
             crane
                 .dynamics

@@ -12,6 +12,7 @@ use crate::luffing::moving::geared::Geared;
 use crate::luffing::moving::reduced::{Asked, CoordinateNames, Reduced, Reduces};
 use crate::luffing::moving::weather::{Exposes, Outdoors, Weather};
 use crate::parts::air::AirDrag;
+use crate::parts::side_wind::SlewedArea;
 use crate::parts::solver::Gradient;
 
 /// What the mechanism was at the angle (rad) that was asked for last: rates, events, powers and forces of one instant
@@ -33,13 +34,6 @@ impl Latest {
     }
 }
 
-/// What the air does to any load over its mass, and how it blows: speed (m/s) and direction (rad).
-#[derive(Clone, Copy, Debug)]
-pub struct Wind<P = f64> {
-    pub drag: AirDrag<P>,
-    pub blows: [P; 2],
-}
-
 /// A mechanism that moves, with what hangs on it and what it stands on.
 #[derive(Clone)]
 pub struct Dynamics<P = f64> {
@@ -50,7 +44,12 @@ pub struct Dynamics<P = f64> {
     pendulum: Option<Pendulum<P>>,
     /// In m/s².
     gravity: P,
-    air: Option<Wind<P>>,
+    /// What the air does to any load over its mass.
+    air: Option<AirDrag<P>>,
+    /// Of what slews, with the density of its air.
+    area: Option<SlewedArea<P>>,
+    /// Speed (m/s) and direction (rad) of the wind.
+    blows: [P; 2],
     /// Height of the ground, in m.
     ground: Option<P>,
     /// Wind on the mechanism's bodies, and the slope.
@@ -150,16 +149,25 @@ impl<P: Calc> Dynamics<P> {
             pendulum,
             gravity,
             air: None,
+            area: None,
+            blows: [P::constant(0.0); 2],
             ground: None,
             outdoors: None,
             latest: Latest::default(),
         }
     }
 
-    /// With air that resists the load.
+    /// With air that resists the load, and blows with a speed (m/s) in a direction (rad).
     #[must_use]
-    pub fn in_air(mut self, air: Wind<P>) -> Dynamics<P> {
-        self.air = Some(air);
+    pub fn in_air(mut self, air: AirDrag<P>, blows: [P; 2]) -> Dynamics<P> {
+        (self.air, self.blows) = (Some(air), blows);
+        self
+    }
+
+    /// With wind on what slews.
+    #[must_use]
+    pub fn from_the_side(mut self, area: SlewedArea<P>) -> Dynamics<P> {
+        self.area = Some(area);
         self
     }
 
@@ -178,8 +186,8 @@ impl<P: Calc> Dynamics<P> {
 
     /// With the wind that blows: speed (m/s) and direction (rad), where there is air.
     pub(crate) fn put_wind(&mut self, blows: [P; 2]) {
-        if let Some(air) = &mut self.air {
-            air.blows = blows;
+        if self.is_aired() {
+            self.blows = blows;
         }
     }
 
@@ -211,10 +219,26 @@ impl<P: Calc> Dynamics<P> {
         self.outdoors.as_ref()
     }
 
-    /// Where there is any.
+    /// Whether there is air around the load, or wind on what slews.
+    pub(crate) fn is_aired(&self) -> bool {
+        self.air.is_some() || self.area.is_some()
+    }
+
+    /// Around the load, where there is any.
     #[must_use]
-    pub fn air(&self) -> Option<&Wind<P>> {
+    pub fn air(&self) -> Option<&AirDrag<P>> {
         self.air.as_ref()
+    }
+
+    /// Speed (m/s) and direction (rad) of the wind, where there is air.
+    pub(crate) fn blows(&self) -> [P; 2] {
+        self.blows
+    }
+
+    /// Moment of the wind on what slews, in N·m, at a slewing angle (rad), where it meets any.
+    pub(crate) fn pushed_aside<C: Coordinate<P>>(&self, psi: C) -> Option<C> {
+        let area = self.area?.map(&mut |_, of| C::of(of));
+        area.pushed(self.blows.map(C::of), psi).map(|[_, moment]| moment)
     }
 
     /// With a cylinder for its drive, whose line the equations of motion ask for.

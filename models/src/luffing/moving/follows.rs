@@ -39,7 +39,7 @@ const OTHERS_EACH: usize = 7;
 fn lively(luffing: &LuffingGiven, now: &CraneAt) -> Vec<CraneAt> {
     let (range, given) = (luffing.range, &luffing.sources);
     let length = given.states.map_or(0.0, |states| states.0[L_R]);
-    let (slews, rope) = (given.turning.is_some(), given.fitted.rope.is_some());
+    let (slews, rope) = (given.slewed.is_some(), given.fitted.rope.is_some());
     let first = if given.oil.is_some() { FIXED } else { 2 };
     let stands: &[bool] = if given.ground.is_some() {
         &[false, true]

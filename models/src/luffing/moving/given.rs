@@ -1,7 +1,7 @@
 //! What a mechanism in motion is given besides what it is at rest: inputs, constants, states, and what happened before.
 
 use crate::kernel::calc::Calc;
-use crate::kernel::group::{Group, group, quantities};
+use crate::kernel::group::{Group, by_map, group, quantities};
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::unit::ONE;
 use crate::kernel::variable::Quantity;
@@ -12,6 +12,8 @@ use crate::luffing::moving::symbols as s;
 use crate::luffing::moving::weather::Weather;
 use crate::parts::hoist::{Drum, HoistCommand};
 use crate::parts::joint::{Bar, JointDrive};
+use crate::parts::side_wind::SlewedArea;
+use crate::parts::turntable::Turning;
 
 /// Most continuous states of any level.
 pub const MOST_STATES: usize = hydraulic::MOST;
@@ -23,6 +25,25 @@ quantities! {
         p_r: P_R, k_r: K_R, k_l: K_L, omega_v: OMEGA_V, zeta_v: ZETA_V, tol: TOL
     }
 }
+
+/// What slews besides the bodies of the mechanism: inertia and friction, and the structure as the wind meets it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SlewedParts<C = f64> {
+    pub turning: Turning<C>,
+    pub area: Option<SlewedArea<C>>,
+}
+
+impl<C: Copy> SlewedParts<C> {
+    /// The same over another scalar.
+    pub fn map<D>(&self, f: &mut dyn FnMut(&'static Symbol, C) -> D) -> SlewedParts<D> {
+        SlewedParts {
+            turning: self.turning.map(f),
+            area: self.area.map(|area| area.map(f)),
+        }
+    }
+}
+
+by_map!(SlewedParts: 6);
 
 quantities! {
     /// What is constant in motion, besides the mechanism and its inertias.

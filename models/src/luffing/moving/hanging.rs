@@ -29,7 +29,7 @@ impl<P: Calc> Dynamics<P> {
     /// The air as the load meets it at a slewing angle (rad), where there is any.
     pub(crate) fn stream<C: Coordinate<P>>(&self, psi: C) -> Option<Stream<C>> {
         let air = self.air()?;
-        Some(Stream::new(air.drag.over(), air.blows.map(C::of), psi))
+        Some(Stream::new(air.over(), self.blows().map(C::of), psi))
     }
 
     /// What acts on the load besides its rope: the ground on which it stands, or gravity and air.

@@ -7,8 +7,9 @@ use crate::kernel::schema::{Key, Values};
 use crate::kernel::symbol::Symbol;
 use crate::luffing::moving::control::hoist;
 use crate::luffing::moving::symbols as s;
-use crate::parts::air::{AIR, AirAround, around};
+use crate::parts::air::{AIR, AROUND, AirAround, around};
 use crate::parts::ground::{GROUND, GroundBelow, below};
+use crate::parts::side_wind::{A_WS, loadless};
 
 /// Keys of `[luffing.hoisting]`.
 pub static HOISTING_KEYS: &[Key] = keys! { s:
@@ -141,17 +142,21 @@ pub fn load_rope(table: &Values, fidelity: &str) -> Result<Option<LoadRope>, Dia
 
 /// Air around a load on its rope, and ground below it, where the scene has them.
 pub fn surround(v: &Values, rope: &mut Option<LoadRope>, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<()> {
+    let side = v.table("slewing").is_some_and(|table| table.stands(A_WS.id));
+    found.extend(loadless((v, "luffing"), side, rope.is_some()));
     let Some(rope) = rope else {
         let unused = [
-            (AIR.name, "air around a load that does not swing"),
-            (GROUND.name, "ground below a load that does not swing"),
+            (AIR.name, "air around a load that does not swing", !side),
+            (GROUND.name, "ground below a load that does not swing", true),
         ];
         let help = "set fidelity = \"swing\", or remove this table";
-        let unused = unused.into_iter().filter(|(name, _)| v.table(name).is_some());
-        found.extend(unused.map(|(name, what)| v.refuse(name, what, "not used", help)));
+        let unused = unused
+            .into_iter()
+            .filter(|(name, _, idle)| *idle && v.table(name).is_some());
+        found.extend(unused.map(|(name, what, _)| v.refuse(name, what, "not used", help)));
         return Some(());
     };
-    if let Some(table) = v.table(AIR.name) {
+    if let Some(table) = v.table(AIR.name).filter(|table| !side || table.stands(AROUND[0])) {
         let swings = (gravity / rope.length).sqrt();
         let slews = v.table("slewing").is_some();
         rope.air = Some(around(table, [swings, gravity], slews, found)?);

@@ -256,7 +256,7 @@ impl<P: Calc> Level<P> {
     /// Under inputs; `None` where they are no part of its equations.
     #[must_use]
     pub fn told(&self, inputs: &Inputs<P>) -> Option<Level<P>> {
-        let around = self.dynamics().air().is_some() || self.dynamics().weather().is_some();
+        let around = self.dynamics().is_aired() || self.dynamics().weather().is_some();
         let mut told = (self.has_oil() || around).then(|| self.clone())?;
         either!(&mut told, crane => crane.dynamics.put_around(inputs.wind, inputs.weather), system => {
             system.put_around(inputs.wind, inputs.weather);

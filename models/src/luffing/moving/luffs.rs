@@ -6,7 +6,7 @@ use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 use crate::luffing::moving::control::ByAxis;
 use crate::luffing::moving::control::continuous::Laws;
-use crate::luffing::moving::given::{Constants, CraneStates, CylinderOil, Fitted, Inputs, Meets, Slack};
+use crate::luffing::moving::given::{Constants, CraneStates, CylinderOil, Fitted, Inputs, Meets, Slack, SlewedParts};
 use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::hydraulic::Modes;
 use crate::luffing::moving::level::{CraneAt, Level};
@@ -17,7 +17,6 @@ use crate::parts::control::{Latched, SpeedControl};
 use crate::parts::ground::GroundBelow;
 use crate::parts::hydraulics::parts::OilParts;
 use crate::parts::motion::Motion;
-use crate::parts::turntable::Turning;
 
 /// What a mechanism has in motion besides what it has at rest: none of it where it stands still.
 #[derive(Clone, Copy, Debug)]
@@ -30,7 +29,7 @@ pub struct MotionSources<C: Calc = f64> {
     pub give: Option<RopeGive<C>>,
     pub around: Option<AirAround<C>>,
     pub ground: Option<GroundBelow<C>>,
-    pub turning: Option<Turning<C>>,
+    pub slewed: Option<SlewedParts<C>>,
     pub oil: Option<CylinderOil<C>>,
     pub oil_parts: Option<OilParts<C>>,
     pub control: Option<ByAxis<SpeedControl<C>>>,
@@ -55,7 +54,7 @@ impl MotionSources {
         give: None,
         around: None,
         ground: None,
-        turning: None,
+        slewed: None,
         oil: None,
         oil_parts: None,
         control: None,

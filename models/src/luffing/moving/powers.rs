@@ -18,7 +18,7 @@ pub(crate) struct Powers {
     pub throttles: f64,
     /// What compresses the oil.
     pub compression: f64,
-    /// What the air takes from the load, and the wind gives the bodies.
+    /// What the air takes from the load, and the wind gives the bodies and all that slews.
     pub air: f64,
     pub wind: f64,
 }
@@ -44,12 +44,16 @@ where
         }
         friction += -crane.friction_moment(i, state, commands, y)? * rate;
     }
+    let aside = match J {
+        1 => 0.0,
+        _ => crane.dynamics.pushed_aside(y[2]).map_or(0.0, |moment| moment * y[3]),
+    };
     let powers = Powers {
         drive: drives[0],
         slewing: drives[1],
         hoist: hoist.given,
         air: crane.in_air(at)[1],
-        wind: r.outside.map_or(0.0, |outside| outside.wind * y[1]),
+        wind: r.outside.map_or(0.0, |outside| outside.wind * y[1]) + aside,
         friction: friction + hoist.lost,
         ..Powers::default()
     };
@@ -67,6 +71,10 @@ pub(super) fn oil_powers<const N: usize>(system: &Hydraulic<N>, modes: Modes, y:
         Some(_) => y[FIXED + 1],
         None => 0.0,
     };
+    let aside = match system.dynamics().turntable() {
+        Some(_) => system.dynamics().pushed_aside(y[FIXED]).unwrap_or(0.0),
+        None => 0.0,
+    };
     let hoist = system.hoist_powers(modes, y)?;
     let powers = Powers {
         slewing: system.slewing.moment * turning,
@@ -75,7 +83,7 @@ pub(super) fn oil_powers<const N: usize>(system: &Hydraulic<N>, modes: Modes, y:
         throttles,
         compression,
         air: system.in_air(modes, y)?[1],
-        wind: r.outside.map_or(0.0, |outside| outside.wind * y[1]),
+        wind: r.outside.map_or(0.0, |outside| outside.wind * y[1]) + aside * turning,
         friction: -system.reaction(y[0], y[1]) * y[1] - system.slewing_friction(modes, y)? * turning + hoist.lost,
         ..Powers::default()
     };

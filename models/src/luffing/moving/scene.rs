@@ -12,7 +12,7 @@ use crate::luffing::moving::hoisting::{HoistKind, LoadRope, hoisting, load_rope,
 use crate::luffing::moving::oil_scene::{oil_drive, straight_beside_oil};
 use crate::luffing::moving::symbols as s;
 use crate::luffing::moving::weather::Weather;
-use crate::luffing::moving::weather_scene::{meets, not_met};
+use crate::luffing::moving::weather_scene::{aside, blown, meets, not_met};
 use crate::luffing::resistances::train::{BRAKE, MOTOR};
 use crate::parts::air::AIR;
 use crate::parts::control::reading::TABLE;
@@ -22,6 +22,7 @@ use crate::parts::hoist::HoistCommand;
 use crate::parts::hydraulics::parts::OilParts;
 use crate::parts::joint::JointDrive;
 use crate::parts::motion::{Motion, short_step};
+use crate::parts::side_wind::SlewedArea;
 use crate::parts::turntable::{SlewingJoint, too_fast, without_inertia};
 use crate::parts::turntable_control;
 
@@ -52,7 +53,7 @@ pub const fn dynamics<const N: usize>(bodies: &[Key]) -> [Key; N] {
 /// Keys of `[luffing.slewing]`.
 pub static SLEWING_KEYS: &[Key] = keys! { s:
     J_SL >= 0, C_SL >= 0 [optional], M_F_SL >= 0 [optional], M_SL [over_time, optional], M_B_SL >= 0 [over_time, optional],
-    PSI_SL [optional], OMEGA_SL [optional], PSI_MIN [optional], PSI_MAX [optional], CHI_R [optional]; turntable_control::CONTROL
+    A_WS >= 0 [optional], R_WS [optional], PSI_SL [optional], OMEGA_SL [optional], PSI_MIN [optional], PSI_MAX [optional], CHI_R [optional]; turntable_control::CONTROL
 };
 
 /// A crane that slews, at the start.
@@ -106,6 +107,8 @@ pub struct Moving {
     pub roped: bool,
     /// What of wind and slope it meets.
     pub meets: Meets,
+    /// Where the wind acts on what slews.
+    pub area: Option<SlewedArea>,
     /// In which drives come up to their speed in the book's manoeuvres, in s.
     pub ramp: f64,
 }
@@ -139,6 +142,7 @@ impl Moving {
                 .then_some(if self.geared { "drive_slack" } else { "drive_taut" }),
             self.meets.pressure.then_some("wind_in_motion"),
             self.meets.slope.then_some("slope_in_motion"),
+            self.area.map(|_| "wind_aside_in_motion"),
         ];
         let shaft = shaft.into_iter().flatten();
         load_taken(self.rope.as_ref(), fixed).chain(shaft).chain(controls)
@@ -146,7 +150,8 @@ impl Moving {
 
     /// With its load fixed to the head.
     pub fn leave_rope(&mut self) {
-        self.rope = None;
+        let air = self.rope.take().and_then(|rope| rope.air);
+        self.area = self.area.map(|area| area.in_air(air.as_ref()));
         self.controllers = self.controllers.and_then(|all| all.without(2));
     }
 
@@ -169,6 +174,7 @@ impl Moving {
         let table = table(v, fidelity, bodies).map_err(&mut told).ok()??;
         let hoisting = hoisting(v, table, fidelity).map_err(&mut told).ok()?;
         let mut rope = load_rope(hoisting, fidelity).map_err(told).ok()?;
+        let area = aside(v, rope.is_some(), found);
         surround(v, &mut rope, gravity, found)?;
         let reach = (bodies.reach, v.of(bodies.reach).unwrap_or(0.0));
         found.extend(rope.and_then(|rope| too_short(hoisting, rope.length, reach)));
@@ -225,6 +231,7 @@ impl Moving {
             braked,
             roped: v.table("drive").is_some_and(|drive| drive.text("kind") == Some("rope")),
             meets,
+            area,
         })
     }
 }
@@ -294,6 +301,7 @@ fn quickest(
         let inertia = of(table, &s::J_SL);
         times.push(inertia / of(table, &s::C_SL));
         times.push((inertia / strongest.drives[1].moment.abs()).sqrt());
+        times.push((inertia / blown(v, table)).sqrt());
     }
     // What does not act, on what has no inertia, has no time.
     times.into_iter().fold(f64::INFINITY, f64::min)

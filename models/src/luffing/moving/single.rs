@@ -301,6 +301,7 @@ pub fn parts<B: SingleBoom, C: Calc>(
             cylinder: None,
             around: *around,
             ground: *ground,
+            area: None,
             fitted: *fitted,
         },
     });

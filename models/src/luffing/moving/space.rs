@@ -112,7 +112,8 @@ impl<const N: usize, P: Calc> Hangs<N, 2, P> for MovingCrane<N, 2, P> {
         };
         let free = state.joints.map(|joint| joint != Bar::Held);
         let line = self.line(at);
-        let moments = [moment(0), moment(1)];
+        let aside = self.dynamics.pushed_aside(y[2]);
+        let moments = [moment(0), aside.map_or_else(|| moment(1), |aside| moment(1) + aside)];
         let air = self.dynamics.stream(y[2]);
         let around = self.dynamics.surroundings(state.grounded, air.as_ref());
         self.dynamics
@@ -159,6 +160,9 @@ impl<const N: usize, P: Calc> Hangs<N, 2, P> for MovingCrane<N, 2, P> {
             0 => self.drive(0, at).moment - r.moment + C::constant(0.5) * slope * turning.square(),
             _ => commands.drives[1].moment - slope * omega * turning,
         };
+        if let Some(aside) = self.dynamics.pushed_aside(y[2]).filter(|_| i > 0) {
+            force += aside;
+        }
         if state.taut && self.hoist().is_some() {
             let a = self.accelerations(at);
             force += a.rope * a.arms[i];

@@ -10,7 +10,9 @@ use crate::kernel::record::Rec;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Fault;
 use crate::luffing::moving::dynamics::Coordinate;
-use crate::luffing::moving::given::{CylinderOil, Fitted, Inputs, MOST_STATES, Slack, order};
+use crate::luffing::moving::given::{
+    CraneStates, CylinderOil, Fitted, Inputs, MOST_STATES, PSI_SL, Slack, SlewedParts, order,
+};
 use crate::luffing::moving::hydraulic::{Hydraulic, MOST, Modes, part};
 use crate::luffing::moving::level::{CraneAt, Level, MOST_INDICATORS, MotionResult, first};
 use crate::luffing::moving::space;
@@ -166,7 +168,6 @@ reactions! {
     pull: Pull;
     drum: Drum;
     driving: Drive;
-    resisting_slewing: SlewingFriction;
 }
 
 /// Results that are two numbers each.
@@ -218,6 +219,37 @@ pub fn acted<C: Scalar>(
         *of = (C::own::<InMotion>().reaction)(present(built, told), at, which).ok_or_else(|| open(theta))?;
     }
     Ok(BarActed(found))
+}
+
+/// What acts on slewing besides its drive: moment of friction, brake and end stop (N·m), pressure of the wind on all that slews
+/// (Pa), and its moment (N·m).
+#[derive(Clone, Copy, Debug)]
+pub struct OnSlewing<C>([Option<C>; 3]);
+
+impl<C: Calc> Rows<C> for OnSlewing<C> {
+    const ROWS: &'static [&'static Symbol] = listed!(s: M_R_SL, P_WS, M_WS);
+    fn row(&self, row: u8, _: u16) -> Found<C> {
+        self.0[usize::from(row)].ok_or_else(absent)
+    }
+}
+
+impl<C: Scalar> OnSlewing<C> {
+    pub fn new(
+        built: &[Level<C>],
+        told: &[Level<C>],
+        at: &CraneAt<C>,
+        theta: &One<C>,
+        slewed: &SlewedParts<C>,
+        around: &Option<AirAround<C>>,
+        states: &CraneStates<C>,
+    ) -> Result<OnSlewing<C>, Fault> {
+        let area = slewed.area.map(|area| area.in_air(around.as_ref()));
+        let pushed = area.and_then(|area| area.pushed(at.inputs.wind, states.0[PSI_SL]));
+        let [pressure, moment] = pushed.map_or([None; 2], |pushed| pushed.map(Some));
+        let found = (C::own::<InMotion>().reaction)(present(built, told), at, MotionResult::SlewingFriction);
+        let resisting = found.ok_or_else(|| open(theta))?;
+        Ok(OnSlewing([Some(resisting), pressure, moment]))
+    }
 }
 
 /// Energy that blows have taken, in J.

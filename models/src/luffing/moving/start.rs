@@ -17,7 +17,7 @@ use crate::luffing::moving::control::continuous::Laws;
 use crate::luffing::moving::control::reading::Controllers;
 use crate::luffing::moving::crane::DRUM;
 use crate::luffing::moving::dynamics::Coordinate;
-use crate::luffing::moving::given::{CraneStates, Fitted, MOST_STATES, STATES, Slack, order};
+use crate::luffing::moving::given::{CraneStates, Fitted, MOST_STATES, STATES, Slack, SlewedParts, order};
 use crate::luffing::moving::hoisting::HoistKind;
 use crate::luffing::moving::hydraulic::{FIXED, Modes};
 use crate::luffing::moving::level::{CraneAt, Level};
@@ -179,6 +179,7 @@ fn sources(moving: &Moving) -> MotionSources {
         oil,
         oil_parts,
         slewing,
+        area,
         ..
     } = *moving;
     let speeds = [0.0, slewing.map_or(0.0, |turn| turn.joint.start[1]), 0.0];
@@ -200,7 +201,10 @@ fn sources(moving: &Moving) -> MotionSources {
         give: rope.and_then(|rope| rope.give),
         around: rope.and_then(|rope| rope.air),
         ground: rope.and_then(|rope| rope.ground),
-        turning: slewing.map(|turn| turn.joint.turning),
+        slewed: slewing.map(|turn| SlewedParts {
+            turning: turn.joint.turning,
+            area,
+        }),
         oil,
         oil_parts,
         control: moving.controllers.map(|it| it.control),

@@ -6,8 +6,8 @@ pub use crate::kernel::gravity::G;
 use crate::kernel::symbol::{Range, Symbol, symbols};
 pub use crate::luffing::resistances::symbols::{DDS_S, DS_S, DX_H, DY_H, V_CA, W_GX, W_GY};
 pub use crate::parts::air::{
-    A_AIR_X, A_AIR_Y, A_AIR_Z, CHI_AIR, DELTA_AIR, F_AIR, KAPPA_AIR, P_AIR, U_AIR, U_AIR_X, U_AIR_Y, U_AIR_Z, V_AIR,
-    W_AIR,
+    A_AIR_X, A_AIR_Y, A_AIR_Z, CHI_AIR, DELTA_AIR, F_AIR, KAPPA_AIR, P_AIR, RHO_AIR, U_AIR, U_AIR_X, U_AIR_Y, U_AIR_Z,
+    V_AIR, W_AIR,
 };
 pub use crate::parts::ground::{H_G, N_G, Y_G, Z_GROUND};
 pub use crate::parts::hanging::{
@@ -16,6 +16,7 @@ pub use crate::parts::hanging::{
     Z_ROPE,
 };
 pub use crate::parts::hydraulics::symbols::{DP_LH, I_LH, K_AC, P_AC, P_LH, P_PMAX, P_TANK, Q_PMAX, X_T, Y_B1, Y_B2};
+pub use crate::parts::side_wind::{A_WS, M_WS, P_WS, R_WS};
 pub use crate::parts::turntable::{
     C_SL, CHI_R, D_OMEGA_SL, D_PSI_SL, J_SL, M_B_SL, M_F_SL, M_R_SL, M_SL, OMEGA_SL, PSI_MAX, PSI_MIN, PSI_SL,
     Z_SL_HIGH, Z_SL_LOOSE, Z_SL_LOW, Z_SL_REST,
@@ -195,7 +196,7 @@ symbols! {
     W_SL: "W_sl" "W_\"sl\"" J / KJ, "Work of the slewing drive.", "derived";
     W_H: "W_h" "W_h" J / KJ, "Work of the hoist on the rope.", "derived";
     W_P: "W_P" "W_P" J / KJ, "Work of the pump.", "derived";
-    W_WIND: "W_wind" "W_\"w\"" J / KJ, "Work of the wind on the bodies.", "derived";
+    W_WIND: "W_wind" "W_\"w\"" J / KJ, "Work of the wind on the bodies and on all that slews.", "derived";
     W_R: "W_R" "W_R" J / KJ, "Energy that friction, brakes, end stops and a rope's damping have taken.", "derived";
     W_T: "W_T" "W_T" J / KJ, "Energy that edges, lines, relief valves and leakage have taken.", "derived";
     W_BLOW: "W_blow" "W_\"blow\"" J / KJ, "Energy that blows at end stops and of the rope have taken, the hoist's share in them included: what it gives by a blow counts negative.", "equations of motion";

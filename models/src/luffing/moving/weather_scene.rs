@@ -1,4 +1,4 @@
-//! What a scene says of wind and slope in motion.
+//! What a scene says of wind and slope in motion, and of the wind on what slews.
 
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::schema::Values;
@@ -6,6 +6,8 @@ use crate::kernel::symbol::Symbol;
 use crate::luffing::moving::given::Meets;
 use crate::luffing::moving::symbols as s;
 use crate::luffing::resistances::symbols as r;
+use crate::parts::air::{AIR, AROUND};
+use crate::parts::side_wind::{SlewedArea, half};
 
 /// What of wind and slope a mechanism meets in motion: what its cases have, a slope where its plane does not turn.
 pub(super) fn meets(v: &Values, slews: bool) -> Meets {
@@ -43,4 +45,23 @@ pub(super) fn not_met(dynamics: &Values, meets: Meets, slews: bool) -> Option<Di
     };
     let what = format!("{} of a mechanism in motion {what}", symbol.id);
     Some(dynamics.refuse(symbol.id, what, "does not act", help))
+}
+
+/// What slews as the wind meets it from the side, where a load swings or none does; mistakes go to the list.
+pub(super) fn aside(v: &Values, swings: bool, found: &mut Vec<Diagnostic>) -> Option<SlewedArea> {
+    let (slewing, own, air) = (v.table("slewing")?, (v, "luffing"), v.table(AIR.name));
+    found.extend(half(slewing, own));
+    let loaded = swings && air?.stands(AROUND[0]);
+    SlewedArea::read(slewing, air, loaded)
+}
+
+/// Greatest moment of the wind on what slews that the scene has, in N·m.
+pub(super) fn blown(v: &Values, slewing: &Values) -> f64 {
+    let Some(air) = v.table(AIR.name) else { return 0.0 };
+    let of = |table: &Values, symbol: &Symbol| table.greatest(symbol.id).unwrap_or(0.0);
+    let ([speed, density], place) = (
+        [&s::V_AIR, &s::RHO_AIR].map(|symbol| of(air, symbol)),
+        of(slewing, &s::R_WS),
+    );
+    0.5 * density * speed * speed * of(slewing, &s::A_WS) * place.abs()
 }

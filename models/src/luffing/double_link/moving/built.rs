@@ -27,6 +27,7 @@ use crate::parts::hydraulics::parts::OilParts;
 use crate::parts::hydraulics::valve::Valve;
 use crate::parts::motion::Motion;
 use crate::parts::plane::Point;
+use crate::parts::side_wind::SlewedArea;
 use crate::parts::turntable::Turning;
 
 quantities! {
@@ -48,6 +49,7 @@ pub struct CraneParts<P: Calc> {
     pub around: Option<AirAround<P>>,
     pub ground: Option<GroundBelow<P>>,
     pub turning: Option<Turning<P>>,
+    pub area: Option<SlewedArea<P>>,
     pub oil: Option<CylinderOil<P>>,
     pub oil_parts: Option<OilParts<P>>,
     pub fitted: Fitted,
@@ -89,6 +91,7 @@ where
             cylinder: oil.map(|(oil, bore)| cylinder(&oil, &bore, self.oil_parts)),
             around: self.around,
             ground: self.ground,
+            area: self.area,
             fitted: self.fitted,
         }
         .level(dynamics, fittings)

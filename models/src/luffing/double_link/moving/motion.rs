@@ -25,7 +25,7 @@ use crate::luffing::moving::built::Outfit;
 use crate::luffing::moving::dynamics::Coordinate;
 use crate::luffing::moving::exposed::Exposed;
 use crate::luffing::moving::geared::Geared;
-use crate::luffing::moving::given::{Constants, CylinderOil, Fitted};
+use crate::luffing::moving::given::{Constants, CylinderOil, Fitted, SlewedParts};
 use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::level::{CraneAt, Level};
 use crate::luffing::moving::listed::rates_after;
@@ -34,7 +34,6 @@ use crate::luffing::moving::stages::{CraneMoves, CraneRates, RATES as CRANE_RATE
 use crate::parts::air::AirAround;
 use crate::parts::ground::GroundBelow;
 use crate::parts::hydraulics::parts::OilParts;
-use crate::parts::turntable::Turning;
 
 type Levelling<P> = fn(&CraneParts<P>, &Arc<HeavyLinkage<P>>, Outfit<P>) -> Level<P>;
 
@@ -88,7 +87,7 @@ pub fn parts<C: Scalar>(
     give: &Option<RopeGive<C>>,
     around: &Option<AirAround<C>>,
     ground: &Option<GroundBelow<C>>,
-    turning: &Option<Turning<C>>,
+    slewed: &Option<SlewedParts<C>>,
     oil: &Option<CylinderOil<C>>,
     oil_parts: &Option<OilParts<C>>,
     fitted: &Fitted,
@@ -107,7 +106,10 @@ pub fn parts<C: Scalar>(
         give: *give,
         around: *around,
         ground: *ground,
-        turning: *turning,
+        turning: slewed.map(|slewed| slewed.turning),
+        area: slewed
+            .and_then(|slewed| slewed.area)
+            .map(|area| area.in_air(around.as_ref())),
         oil: *oil,
         oil_parts: *oil_parts,
         fitted: *fitted,

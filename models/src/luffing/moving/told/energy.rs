@@ -46,7 +46,7 @@ impl Energy {
                 (slews, &m::W_SL, work.slewing),
                 (hangs && moving.hoists(), &m::W_H, work.hoist),
                 (oil, &m::W_P, work.pump),
-                (moving.meets.pressure, &m::W_WIND, work.wind),
+                (is_blown(moving), &m::W_WIND, work.wind),
             ]),
             stored: there(&[
                 (true, &m::DELTA_E, self.end - self.start - self.blows),
@@ -61,6 +61,11 @@ impl Energy {
             ]),
         }
     }
+}
+
+/// Whether wind acts on its bodies or on all that slews.
+fn is_blown(moving: &Moving) -> bool {
+    moving.meets.pressure || moving.area.is_some()
 }
 
 /// What is left of the powers for the bodies.
@@ -118,6 +123,10 @@ pub(super) fn integrals(moving: &Moving, rate: &'static Symbol) -> Vec<Integral>
         elastic.then(|| of(false, &[&m::S_RD, &m::D_DELTA_R], None)),
         hauled.then(|| of(false, &[&m::P_BL], None)),
     ];
+    let wind = [
+        moving.meets.pressure.then(|| of(false, &[&m::M_WIND, rate], None)),
+        moving.area.map(|_| of(false, &[&m::M_WS, &m::OMEGA_SL], None)),
+    ];
     let stored = [
         [&m::V_1, &m::P_1, &m::D_P_1],
         [&m::V_1, &m::P_2, &m::D_P_2],
@@ -147,11 +156,7 @@ pub(super) fn integrals(moving: &Moving, rate: &'static Symbol) -> Vec<Integral>
         integral(slews, &m::W_SL, vec![of(false, &[&m::M_SL, &m::OMEGA_SL], None)]),
         integral(hangs && moving.hoists(), &m::W_H, vec![hoist]),
         integral(oil, &m::W_P, vec![pump()]),
-        integral(
-            moving.meets.pressure,
-            &m::W_WIND,
-            vec![of(false, &[&m::M_WIND, rate], None)],
-        ),
+        integral(is_blown(moving), &m::W_WIND, wind.into_iter().flatten().collect()),
         integral(oil, &m::E_OIL, compression(false)),
         integral(true, &m::W_R, friction.into_iter().flatten().collect()),
         integral(oil, &m::W_T, resisted),
