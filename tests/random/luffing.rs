@@ -790,6 +790,11 @@ pub fn dynamics(n: &mut Node, turns: &str, rope: bool, oil: bool) {
     if n.has("ground") {
         ground(n);
     }
+    windy(n, rope);
+}
+
+/// Air around a load on a rope, if any, and wind on what slews, where it has an area.
+fn windy(n: &mut Node, rope: bool) {
     let side = n.child("slewing").is_some_and(|turning| turning.has("A_ws"));
     if side {
         n.keep("air", true);
