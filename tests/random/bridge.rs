@@ -100,7 +100,10 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     let size = n.draw.scale[0];
     working_range(&mut n, [-size, 2.0 * size]);
     let [from, to, lasts] = {
-        let motion = n.child("motion").expect("required");
+        let mut motion = n.child("motion").expect("required");
+        // The schema has no finer one.
+        let step = motion.get("step").max(1e-4);
+        motion.set("step", step);
         let [from, to] = ["from", "to"].map(|name| motion.get(name));
         [from, to, (to - from) / motion.get("speed")]
     };

@@ -782,7 +782,7 @@ pub fn dynamics(n: &mut Node, turns: &str, rope: bool, oil: bool) {
         }
     }
     controls(n, own, !oil && !roped, lasts);
-    if !oil {
+    if !n.has("hydraulics") {
         unsampled(n);
     }
     let gives = n.child("hoisting").is_some_and(|hoist| hoist.has("c_R"));

@@ -40,7 +40,7 @@ const OWN_USES: [Purpose; 13] = [
     ("shaft_brakes", &[&m::U_BR]),
 ];
 
-/// Of the oil, of the rope, of a load put down and of controlled drives, over a cycle of commands.
+/// Of the oil, of the rope, of a load put down, of controlled drives and of the wind on what slews, over a cycle of commands.
 pub const FOLLOWED: &[&Symbol] = &[
     &h::Q_ACA,
     &h::Q_ACB,
@@ -52,6 +52,7 @@ pub const FOLLOWED: &[&Symbol] = &[
     &m::N_G,
     &m::M_A,
     &m::M_SL,
+    &m::M_WS,
     &m::M_M_H,
 ];
 

@@ -1,5 +1,6 @@
 //! What a scene says about a luffing mechanism.
 
+use crate::balance::analysis::Analysis;
 use crate::balance::lever::Lever;
 use crate::balance::scene::{Form, PublishedBalance};
 use crate::balance::task::{Search, Task};
@@ -49,6 +50,8 @@ pub struct LuffingScene {
     pub synthesis: Option<Task>,
     /// Published results of the balance.
     pub published_balance: Option<PublishedBalance>,
+    /// What is left of its moment over the working range, where it has a balance.
+    pub analysed: Option<Analysis>,
     pub cases: Cases,
 }
 
@@ -109,10 +112,12 @@ impl LuffingScene {
             let range = [motion.from, motion.to];
             drive::meets(v, &driving, foot(&lengths, driven), range, found);
         }
+        let before = found.len();
         let moving = moving::scene::MovingLink::new(v, gravity, loaded, found);
-        if let Some((table, motion)) = v.table("balance").filter(|_| weights.is_some()).zip(motion) {
-            balanced(v, table, &parameters, &motion, found);
-        }
+        // Of what cannot be read nobody knows whether its load swings.
+        let unread = moving.is_none() && found.len() > before;
+        let balance_table = v.table("balance").filter(|_| weights.is_some()).zip(motion);
+        let analysed = balance_table.and_then(|(table, motion)| balanced(v, table, &parameters, &motion, found));
         if let Some((moving, motion)) = moving.as_ref().zip(motion.as_ref()) {
             brisk(v, moving, motion, found);
             let weight = q.unwrap_or(0.0) + weights.map_or(0.0, |w| w.g_1 + w.g_2 + w.g_3);
@@ -124,7 +129,7 @@ impl LuffingScene {
         drive::fits(v, driving.gear.as_ref(), (moves, loaded), found);
         let swings = moving.as_ref().is_some_and(|moving| moving.rope.is_some());
         let id = moving::symbols::PHI_MAX.id;
-        if let Some(table) = v.table("limits").filter(|table| table.has(id) && !swings) {
+        if let Some(table) = v.table("limits").filter(|table| table.has(id) && !swings && !unread) {
             let what = format!("a limit {id} without a swinging load");
             found.push(table.refuse(id, what, "nothing to check", "remove the limit"));
         }
@@ -144,6 +149,7 @@ impl LuffingScene {
             published,
             synthesis,
             published_balance: v.table("balance").and_then(PublishedBalance::read),
+            analysed,
             cases: Cases::read(v, &resisting::PARTS, balance.as_ref(), gravity, found),
         };
         Some((luffing, motion))
@@ -226,9 +232,18 @@ fn own_lever(p: &Parameters<f64>) -> Option<Lever<f64>> {
     }
 }
 
-/// Checks that the balance exists over the whole working range.
-pub(super) fn balanced(v: &Values, table: &Values, p: &Parameters<f64>, motion: &Motion, found: &mut Vec<Diagnostic>) {
-    let Err(fault) = analysis(p, motion) else { return };
+/// What is left of its moment over the whole working range, where the balance exists all over that.
+pub(super) fn balanced(
+    v: &Values,
+    table: &Values,
+    p: &Parameters<f64>,
+    motion: &Motion,
+    found: &mut Vec<Diagnostic>,
+) -> Option<Analysis> {
+    let fault = match analysis(p, motion) {
+        Ok(analysed) => return analysed,
+        Err(fault) => fault,
+    };
     let place = if fault.quantity == &s::THETA_1 {
         v.place("motion")
     } else {
@@ -236,6 +251,7 @@ pub(super) fn balanced(v: &Values, table: &Values, p: &Parameters<f64>, motion: 
     };
     let label = format!("{} is not possible", fault.quantity.id);
     found.push(Diagnostic::new(place, fault.what.clone(), label).help(fault.range()));
+    None
 }
 
 /// Checks that the mechanism exists and closes over the whole working range.

@@ -42,7 +42,7 @@ use crate::luffing::moving::levels;
 use crate::luffing::moving::told::motion::moved;
 use crate::luffing::moving::told::shown::running;
 use crate::luffing::resistances;
-use crate::luffing::with_balance::{WithBalance, agreement, searched};
+use crate::luffing::with_balance::{WithBalance, agreement};
 use crate::parts::air::AROUND;
 use crate::parts::motion::Motion;
 
@@ -218,8 +218,9 @@ impl Described for LuffingScene {
         [moving, balance, synthesis, cases].into_iter().flatten().collect()
     }
 
-    fn searched(_: &Luffing, model: &Standing) -> Vec<Summary> {
-        searched::<DoubleLink>(model)
+    fn searched(this: &Luffing, _: &Standing) -> Vec<Summary> {
+        let found = this.analysed.as_ref();
+        found.map_or(Vec::new(), |found| found.extremes(this.parameters.driven.coordinate()))
     }
 
     fn identities(this: &Luffing, model: &mut Standing) -> Vec<Check> {
