@@ -40,9 +40,8 @@ pub fn slewing(n: &mut Node, [size, weight, far]: [f64; 3]) {
     }
     let (areas, cases) = (n.draw.rng.usize(0..3), n.draw.rng.usize(1..4));
     let [drives, brakes] = turning(n, [size, weight, far]);
-    // Under a wind as strong as any here it is pushed by so small a part of the weight as under the pressure of a case.
-    let blows = n.child("slewing").is_some_and(|own| own.has("air"));
-    let most = if blows {
+    // Under a wind as strong as any here what moves is pushed by so small a part of the weight as under the pressure of a case.
+    let most = if drives {
         weight * 0.02 / STRONGEST
     } else {
         f64::INFINITY
@@ -142,7 +141,8 @@ pub fn moving(n: &mut Node) {
 /// Upper works of an inertia beside that of a load that swings on a rope (m); whether the drive gives the rope.
 fn swung(n: &mut Node, rope: f64) -> bool {
     let load = n.get("Q") / n.draw.g * n.get("R") * n.get("R");
-    let own = load * n.draw.between(0.01, 1.0);
+    let least = 0.01 * n.draw.natural(&s::V) * n.draw.scale[0].powi(2) / n.draw.g;
+    let own = load.max(least) * n.draw.between(0.01, 1.0);
     let mut drive = n.child("slewing_drive").expect("it moves");
     drive.keep("J_e", true);
     drive.set("J_e", own);

@@ -1,4 +1,4 @@
-//! What several mechanisms are made of: plane geometry, air, ground, a four-bar, a speed controller, a root between two ends, solids cut by a plane, joints, buckling, slewing, teeth, a load curve, a load on its rope, a hoist, a body on springs, motors with brakes, how they start and how brakes stop them, safeties, motion over a range, travel on rails, oil, solvers.
+//! What several mechanisms are made of: plane geometry, air, wind on what slews, ground, a four-bar, a speed controller, a root between two ends, solids cut by a plane, joints, buckling, slewing, teeth, a load curve, a load on its rope, a hoist, a body on springs, motors with brakes, how they start and how brakes stop them, safeties, motion over a range, travel on rails, oil, solvers.
 
 pub mod air;
 pub mod arcs;
