@@ -129,7 +129,7 @@ pub fn moves<C: Scalar>(
 #[derive(Clone, Copy, Debug)]
 pub struct CraneRates<C>([C; RATES.len()]);
 
-/// Those of [`CraneStates`](crate::luffing::moving::given::CraneStates).
+/// Those of [`CraneStates`].
 pub const RATES: [&Symbol; 22] = *listed!(
     s: D_P_1, D_P_2, D_P_A, D_P_B, D_X_V, D_V_V, D_PSI_SL, D_OMEGA_SL, D_X_Q, D_Y_Q, D_Z_Q, D_V_QX, D_V_QY, D_V_QZ, D_PHI_R,
     D_OMEGA_R, D_L_R, D_S_Q, D_V_Q, D_V_R, D_DELTA_L, D_V_TL
