@@ -7,9 +7,11 @@ use lemnis_models::kernel::calc::Calc;
 use crate::print::picture::{Item, Picture, Point};
 use crate::print::width;
 
-/// A digit in a picture, in mm, and half the height of a number and of a symbol with its index.
+/// A digit in a picture, in mm, and half the height of a number, of one with a comma below its line, and of a symbol with its
+/// index.
 const DIGIT: f64 = 1.5;
 const LOW: f64 = 1.1;
+const COMMA: f64 = 1.35;
 const HIGH: f64 = 1.6;
 /// The room that a label has around it where there is some.
 const AIR: f64 = 0.5;
@@ -68,7 +70,8 @@ fn half(text: &str, symbol: bool) -> Point {
             '\u{2212}' | 'm' => 1.7,
             _ => 1.05,
         };
-        return [DIGIT / 2.0 * text.chars().map(digits).sum::<f64>(), LOW];
+        let high = if text.contains(',') { COMMA } else { LOW };
+        return [DIGIT / 2.0 * text.chars().map(digits).sum::<f64>(), high];
     }
     let (name, unit) = text.split_once(" thin \"/\" thin ").unwrap_or((text, ""));
     let unit = unit.trim_matches('"').chars().count() as f64;
