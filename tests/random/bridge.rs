@@ -102,8 +102,9 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     let [from, to, lasts] = {
         let mut motion = n.child("motion").expect("required");
         // The schema has no finer one.
-        let step = motion.get("step").max(1e-4);
-        motion.set("step", step);
+        if motion.get("step") < 1e-4 {
+            motion.set("step", 1e-4);
+        }
         let [from, to] = ["from", "to"].map(|name| motion.get(name));
         [from, to, (to - from) / motion.get("speed")]
     };

@@ -269,12 +269,11 @@ fn run(case: &Case, scene: &Scene, number: u64, outcome: &mut Outcome) -> f64 {
             Some(Ok(cycle)) => cycle,
             _ => (case.scale[0] / scene.gravity).sqrt(),
         };
-        // A finer step than any that a legal scene asks for costs what was asked for; one that is next to legal may move as
-        // much faster than its size says, as its own step does.
+        // A finer step than any that a legal scene asks for costs what was asked for.
         let asked = scene
             .mechanism
             .solver()
-            .filter(|solver| solver.explicit && (asks_for_step(case) || !case.legal));
+            .filter(|solver| solver.explicit && asks_for_step(case));
         let natural = asked.map_or(natural, |solver| natural.min(STEPS * solver.longest));
         let rates = f64::from(own.rates) - over_time(&case.table);
         outcome.work = Some(rates.max(0.0) / f64::from(bodies) * natural / own.taken.max(natural));

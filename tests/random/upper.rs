@@ -13,7 +13,7 @@ use crate::cases::start;
 use crate::luffing::{LEAST_LENGTH, air, load};
 use crate::scene::Node;
 
-/// Pressure of the strongest wind that moving scenes draw, in Pa.
+/// Pressure of the strongest wind that is drawn on what moves, in Pa.
 const STRONGEST: f64 = 0.5 * 2.0 * 30.0 * 30.0;
 
 /// So much weight at so great a size, the bodies and the load as many times that size from the axis as `far` says.
@@ -40,15 +40,8 @@ pub fn slewing(n: &mut Node, [size, weight, far]: [f64; 3]) {
     }
     let (areas, cases) = (n.draw.rng.usize(0..3), n.draw.rng.usize(1..4));
     let [drives, brakes] = turning(n, [size, weight, far]);
-    // Under a wind as strong as any here what moves is pushed by so small a part of the weight as under the pressure of a case.
-    let most = if drives {
-        weight * 0.02 / STRONGEST
-    } else {
-        f64::INFINITY
-    };
     list(n, "areas", areas, &mut |draw, _| {
         let (area, height) = (size * size * draw.between(0.0, 1.0), size * draw.between(0.0, 1.0));
-        let area = area.min(most);
         let place = (&d::R_W, size * draw.between(-0.5, 0.5));
         let own = [(&s::A_W, area), (&s::H_W, height), place];
         row(draw, if drives { &own } else { &own[..2] })
@@ -98,11 +91,8 @@ pub fn moving(n: &mut Node) {
     let swings = moves && n.draw.coin(0.5);
     let rope = n.draw.natural(&d::L_R) * n.draw.between(0.2, 2.0);
     let held = swings && swung(n, rope);
-    let areas = n
-        .table
-        .get("areas")
-        .and_then(Value::as_array)
-        .is_some_and(|rows| !rows.is_empty());
+    let count = n.table.get("areas").and_then(Value::as_array).map_or(0, Vec::len);
+    let areas = count > 0;
     let Some(mut own) = n.child("slewing") else { return };
     own.put("fidelity", if swings { "swing" } else { "rigid" });
     let blows = own.has("air") && (swings || areas);
@@ -130,6 +120,9 @@ pub fn moving(n: &mut Node) {
         own.keep(name, true);
         own.set(name, angle);
     }
+    if blows && areas {
+        exposed(n, count);
+    }
     let most = 0.99 * (MOST_SPIN * n.draw.g / n.get("R")).sqrt();
     let mut motion = n.child("motion").expect("required");
     motion.remove(&["input"]);
@@ -138,11 +131,28 @@ pub fn moving(n: &mut Node) {
     }
 }
 
+/// So many areas that the strongest wind pushes by a small part of the weight, as the pressure of a case does, and an inertia of
+/// what slews beside that.
+fn exposed(n: &mut Node, count: usize) {
+    let (size, weight) = (n.draw.scale[0], n.draw.natural(&s::V));
+    let most = (size * size).min(0.02 * weight / STRONGEST);
+    list(n, "areas", count, &mut |draw, _| {
+        let (area, height) = (most * draw.between(0.0, 1.0), size * draw.between(0.0, 1.0));
+        let place = size * draw.between(-0.5, 0.5);
+        row(draw, &[(&s::A_W, area), (&s::H_W, height), (&d::R_W, place)])
+    });
+    let least = 1e-4 * weight * size * size / n.draw.g;
+    let mut drive = n.child("slewing_drive").expect("it moves");
+    if drive.has("J_e") {
+        let own = drive.get("J_e").max(least);
+        drive.set("J_e", own);
+    }
+}
+
 /// Upper works of an inertia beside that of a load that swings on a rope (m); whether the drive gives the rope.
 fn swung(n: &mut Node, rope: f64) -> bool {
     let load = n.get("Q") / n.draw.g * n.get("R") * n.get("R");
-    let least = 0.01 * n.draw.natural(&s::V) * n.draw.scale[0].powi(2) / n.draw.g;
-    let own = load.max(least) * n.draw.between(0.01, 1.0);
+    let own = load * n.draw.between(0.01, 1.0);
     let mut drive = n.child("slewing_drive").expect("it moves");
     drive.keep("J_e", true);
     drive.set("J_e", own);
