@@ -138,7 +138,7 @@ def test_the_first_page_says_what_this_fmu_is(name, tmp_path):
                  "$S_R$": "S_R", "$T$": "T", '$T_"dyn"$': "T_dyn", '$p_"ac"$': "p_ac", '$p_"lh"$': "p_lh", '$i_"lh"$': "i_lh",
                  '$Delta p_"lh"$': "dp_lh", "$x_T$": "x_T", '$p_"tank"$': "p_tank", "$Q_(P,max)$": "Q_Pmax", "$P_(P,max)$": "P_Pmax", "$c_A$": "c_A", "$k_A$": "k_A", "$J_M$": "J_M",
                  "$tau_b$": "tau_b", '$sigma_"m"$': "sigma_m", "$phi_R$": "phi_R", '$M_"lim"$': "M_lim",
-                 '$J_"d"$': "J_d", "$J_0$": "J_0", '$M_"F sl"$': "M_Fsl", '$c_"sl"$': "c_sl"}
+                 '$J_"d"$': "J_d", "$J_0$": "J_0", '$M_"F sl"$': "M_Fsl", '$c_"sl"$': "c_sl", '$gamma_"s"$': "gamma_s", "$G_u$": "G_u", "$r_u$": "r_u"}
         plain = {id: re.sub(r"\$.*?\$", lambda found: names[found.group()], words) for id, words in WORDS.items()}
         said, wrong = SAID[name]
         assert [id for id in said if plain[id] not in whole] == [] and [id for id in wrong if plain[id] in whole] == []

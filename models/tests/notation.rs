@@ -13,7 +13,8 @@ use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::luffing;
 use lemnis_models::luffing::double_link;
 use lemnis_models::parts::{
-    air, ground, hanging, hydraulics, motor, shaping, side_wind, slip, starts, teeth, turntable, turntable_control,
+    air, ground, hanging, hydraulics, motor, shaping, side_wind, slip, slope, starts, teeth, turntable,
+    turntable_control,
 };
 use lemnis_models::registry;
 use lemnis_models::slewing;
@@ -23,7 +24,7 @@ use lemnis_models::sway::pendulum;
 use lemnis_models::unloader;
 
 /// Every mechanism with its table.
-const TABLES: [(&str, &[&Symbol]); 41] = [
+const TABLES: [(&str, &[&Symbol]); 42] = [
     ("The double-link luffing mechanism", double_link::symbols::ALL),
     (
         "The double-link luffing mechanism in motion",
@@ -49,6 +50,7 @@ const TABLES: [(&str, &[&Symbol]); 41] = [
     ("A load on its rope, from a head that joints move", hanging::ALL),
     ("Air around a load on its rope", air::ALL),
     ("Wind on all that slews", side_wind::ALL),
+    ("A slope under all that slews", slope::ALL),
     ("Ground below a load on its rope", ground::ALL),
     ("Slewing by itself", slewing::symbols::ALL),
     ("A coupling that slips in the slewing drive", slip::ALL),

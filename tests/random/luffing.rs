@@ -11,6 +11,7 @@ use lemnis_models::luffing::double_link::symbols as s;
 use lemnis_models::parts::air::AROUND;
 use lemnis_models::parts::plane::{Point, cross, length, turned};
 use lemnis_models::parts::side_wind::{A_WS, R_WS};
+use lemnis_models::parts::slope::{G_U, R_U};
 use toml::Table;
 
 use crate::cases::cases;
@@ -780,6 +781,9 @@ pub fn dynamics(n: &mut Node, turns: &str, rope: bool, oil: bool) {
                 turning.set(name, stop);
             }
         }
+        if let Some(mut slope) = turning.child("slope") {
+            leaning(&mut slope, inertia);
+        }
     }
     controls(n, own, !oil && !roped, lasts);
     if !n.has("hydraulics") {
@@ -840,6 +844,17 @@ pub fn area(n: &mut Node, pressure: f64, inertia: f64) {
     let own = most.min(n.draw.natural(&A_WS)) * n.draw.between(0.0, 1.0);
     n.set("r_ws", place);
     n.set("A_ws", own);
+}
+
+/// A slope on which a weight turns what slews, with an inertia (kg·m²), by a radian in a natural time or later.
+fn leaning(n: &mut Node, inertia: f64) {
+    let steep = n.draw.between(0.0, 0.2);
+    n.set("gamma_s", steep);
+    let place = n.draw.natural(&R_U) * n.draw.between(-1.0, 1.0);
+    let most = inertia / n.draw.scale[2].powi(2) / place.abs().max(1e-300);
+    let weight = most.min(n.draw.natural(&G_U)) * n.draw.between(0.0, 1.0);
+    n.set("r_u", place);
+    n.set("G_u", weight);
 }
 
 /// Controllers of luffing with an inertia (kg·m²) where it may have one, of slewing, and of a hoist's motor, for a run of a duration (s).

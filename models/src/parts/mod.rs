@@ -25,6 +25,7 @@ pub mod safety;
 pub mod shaping;
 pub mod side_wind;
 pub mod slip;
+pub mod slope;
 pub mod smooth_curve;
 pub mod solid;
 pub mod solver;

@@ -28,9 +28,10 @@ use crate::parts::hanging::{self, HangingLoad};
 use crate::parts::motion::Motion;
 use crate::parts::plane::Point;
 use crate::parts::slip;
+use crate::parts::slope::{SLOPE, SlopingGround};
 use crate::parts::turntable::{self as joint, SlewingJoint, WIND_ON_SLEWED};
 use crate::parts::turntable_control::{self, AXIS, CONTINUOUS, CONTROL};
-use crate::parts::{shaping, side_wind};
+use crate::parts::{shaping, side_wind, slope};
 use crate::slewing::air_scene::{SlewedAir, refused};
 use crate::slewing::bounds::{Slewed, weightless};
 use crate::slewing::coupling::{DriveSide, SlipCoupling, SlipPast};
@@ -39,7 +40,7 @@ use crate::slewing::outline::OUTLINE;
 use crate::slewing::stages::{Given, Open, SlewingCrane};
 use crate::slewing::swinging::{RopeLength, Slackness};
 use crate::slewing::symbols as s;
-use crate::slewing::turning::{Ground, Hung};
+use crate::slewing::turning::Hung;
 
 /// Keys of `[slewing]`: those of the joint, as every crane that slews has them, and what nothing else gives.
 pub const KEYS: &[Key] = keys! { joint:
@@ -59,7 +60,7 @@ pub const KEYS: &[Key] = keys! { joint:
     Key::quantity(&s::R_WS, Sign::Any).optional(),
     SOLVED,
     Key::part("motion", MOTION, "Working range of slewing by itself."),
-    Key::part("slope", SLOPE, "The ground that is not level, and what stands on it."),
+    SLOPE,
     AIR_OR_WIND,
     CONTROL,
     COUPLING,
@@ -71,8 +72,6 @@ const MOTION: &[Key] = &Motion::keys(
     &s::PSI_SL,
     (&s::OMEGA_SL, "Angular velocity of slewing."),
 );
-
-static SLOPE: &[Key] = keys! { s: GAMMA_S >= 0, G_U [or_mass], R_U };
 
 const LIMITS: &[Key] = &Limit::keys::<3>(OUTLINE.limits);
 
@@ -229,6 +228,7 @@ impl Described for SlewingScene {
         shared: &[
             shaping::ALL,
             side_wind::ALL,
+            slope::ALL,
             joint::ALL,
             turntable_control::ALL,
             hanging::ALL,
@@ -247,7 +247,7 @@ impl Described for SlewingScene {
         let [moves, swings] = suits(v, found);
         let range = Motion::read(v.table("motion")?, found);
         let joint = SlewingJoint::read(v, found);
-        let slope = v.part("slope", Ground::read)?;
+        let slope = v.part("slope", SlopingGround::read)?;
         let (range, joint) = range.zip(joint).filter(|_| found.len() == before)?;
         let n = |key: &str| v.number(key).unwrap_or(0.0);
         let carried = if swings { 0.0 } else { n(s::Q.id) * n(s::R.id) };

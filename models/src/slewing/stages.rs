@@ -11,6 +11,7 @@ use crate::parts::control::{Latched, SpeedControl};
 use crate::parts::hanging::HangingLoad;
 use crate::parts::joint::{Arrival, Bar, Joint};
 use crate::parts::side_wind::SlewedArea;
+use crate::parts::slope::SlopingGround;
 use crate::parts::turntable::Turning;
 use crate::slewing::air::{FeltAir, WindOnSlewed, outer, stream};
 use crate::slewing::blows::SwungInstant;
@@ -26,7 +27,7 @@ use crate::slewing::swinging::{
     RopeLength, Slackness, Swinging, SwingingLoad, SwingingRates, leaning, led, slackening,
 };
 use crate::slewing::symbols as s;
-use crate::slewing::turning::{Circling, Ground, Hung, SlewedLoad, Steady, tilt, total};
+use crate::slewing::turning::{Circling, Hung, SlewedLoad, Steady, tilt, total};
 
 stages! {
     /// A crane that slews.
@@ -35,7 +36,7 @@ stages! {
         Rate omega: One<C>,
         Parameter hung: Hung<C>,
         Parameter turning: Turning<C>,
-        Parameter slope: Option<Ground<C>>,
+        Parameter slope: Option<SlopingGround<C>>,
         Parameter area: Option<SlewedArea<C>>,
         Input driven: Option<SlewingDrive<C>>,
         State swung: Option<SwingingLoad<C>>,

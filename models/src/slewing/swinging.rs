@@ -10,10 +10,11 @@ use crate::parts::ground::Surroundings;
 use crate::parts::hanging::{Accelerations, HangingLoad, HeadJoints, cancelling, dot};
 use crate::parts::hoist::RopeAction;
 use crate::parts::joint::{Bar, LOOSE, above_zero};
+use crate::parts::slope::{SlopingGround, gravity};
 use crate::parts::turntable::Turning;
 use crate::slewing::motion::{Led, Past, SlewingDrive, Stops, drive, driving, joint};
 use crate::slewing::symbols as s;
-use crate::slewing::turning::{Ground, Hung, SlewedLoad};
+use crate::slewing::turning::{Hung, SlewedLoad};
 
 quantities! {
     /// The load, from the head in the frame that slews.
@@ -57,20 +58,8 @@ pub(super) fn head<C: Calc>(reach: C) -> [Vector3<C>; 1] {
 }
 
 /// M_γu = −G_u r_u sin γ sin ψ, in N·m: the load's part comes to the head through its rope. [Ports001, 6.4]
-pub fn leaning<C: Calc>(slope: &Ground<C>, _: &SwingingLoad<C>, psi: &C) -> C {
-    let (steep, _) = slope.gamma_s.sin_cos();
-    let (aside, _) = psi.sin_cos();
-    (-(slope.g_u * slope.r_u * steep * aside)).def(&s::M_GAMMA_U)
-}
-
-/// Gravity in the frame that slews, in m/s²: downhill is forward at no angle, and to the right at a quarter turn.
-fn gravity<C: Calc>(hung: &Hung<C>, slope: Option<&Ground<C>>, psi: &C) -> Vector3<C> {
-    let zero = C::constant(0.0);
-    slope.map_or(Vector3::new(zero, -hung.g, zero), |slope| {
-        let ((steep, level), (aside, ahead)) = (slope.gamma_s.sin_cos(), psi.sin_cos());
-        let downhill = (hung.g * steep).def(&s::G_S);
-        Vector3::new(downhill * ahead, -(hung.g * level), -(downhill * aside))
-    })
+pub fn leaning<C: Calc>(slope: &SlopingGround<C>, _: &SwingingLoad<C>, psi: &C) -> C {
+    (slope.across(slope.g_u * slope.r_u, *psi)).def(&s::M_GAMMA_U)
 }
 
 /// How slewing and its load accelerate, and what the rope does meanwhile.
@@ -96,7 +85,7 @@ impl<C: Calc> Swinging<C> {
         past: &Past<C>,
         slackness: &Slackness<C>,
         stops: &Stops,
-        slope: &Option<Ground<C>>,
+        slope: &Option<SlopingGround<C>>,
         outer: &Option<C>,
         stream: Option<&Stream<C>>,
         swung: &SwingingLoad<C>,
@@ -135,7 +124,7 @@ impl<C: Calc> Swinging<C> {
         };
         let masses = [carried.mass, cancelling(carried.mass)];
         let around = Surroundings::Free {
-            gravity: gravity(hung, slope.as_ref(), psi),
+            gravity: gravity(slope.as_ref(), hung.g, *psi),
             air: stream,
         };
         let found = joints.hung(load, masses, line, around);

@@ -13,6 +13,7 @@ pub use crate::parts::slip::{
     D_OMEGA_D, D_PSI_SLIP, E_D, J_D, M_CD, M_LIM, M_RD, OMEGA_D, P_SLIP, PSI_SLIP, SLIP, W_SLIP, WAY_D, Z_C_LOOSE,
     Z_C_REST, Z_D_LOOSE, Z_D_REST,
 };
+pub use crate::parts::slope::{G_U, GAMMA_S, M_GAMMA, R_U};
 pub use crate::parts::turntable::{
     CHI_R, D_OMEGA_SL, D_PSI_SL, J_SL, M_B_SL, M_R_SL, M_SL, OMEGA_SL, PSI_SL, Z_SL_HIGH, Z_SL_LOOSE, Z_SL_LOW,
     Z_SL_REST,
@@ -28,16 +29,12 @@ symbols! {
     TO: "to" "psi_e" RAD / DEG, "Slewing angle at the end of the working range.", "input";
     R: "R" "R" M / M [not_negative], "Reach: distance of the load from the slewing axis.", "input";
     Q: "Q" "Q" N / KN [not_negative], "Weight of the load on its hook.", "input";
-    GAMMA_S: "gamma_s" "gamma_\"s\"" RAD / DEG [from_to(0.0, 0.5)], "Slope on which the crane stands; the slewing angle counts from its downhill direction.", "input";
-    G_U: "G_u" "G_u" N / KN [not_negative], "Weight of all that slews, without the load.", "input";
-    R_U: "r_u" "r_u" M / M, "Distance of the centre of gravity of all that slews from the slewing axis, without the load; positive on the load's side.", "input";
     STEP: "step" "h" S / MS [positive], "Longest step of the solver.", "input";
 
     // Results at any angle.
     MASS_Q: "mass_Q" "m_Q" KG / T [not_negative], "Mass of the load: weight over g.", "derived";
     J_Q: "J_Q" "J_Q" KG_M2 / T_M2 [not_negative], "Inertia of the load about the slewing axis.", "derived";
     J_TOT: "J_tot" "J_\"tot\"" KG_M2 / T_M2 [not_negative], "Inertia of all that slews about the slewing axis, with the load.", "[Ports001, 6.5]";
-    M_GAMMA: "M_gamma" "M_gamma" N_M / KN_M, "Moment of the weights on the slope about the slewing axis; positive counter-clockwise, seen from above.", "virtual work";
     M_ST: "M_st" "M_\"st\"" N_M / KN_M, "Moment that the drive must give to slew steadily counter-clockwise.", "[Ports001, 6.4]";
     P_ST: "P_st" "P_\"st\"" W / KW, "Power of the drive while the crane slews steadily; negative where slope or wind drives it.", "derived";
     F_N: "F_n" "F_n" N / KN [not_negative], "Horizontal force towards the axis that keeps the load on its circle.", "Newton and Euler";
@@ -46,7 +43,6 @@ symbols! {
     // Results in motion.
     F_T: "F_t" "F_t" N / KN, "Horizontal force along its circle that accelerates the load; positive counter-clockwise.", "Newton and Euler";
     M_GAMMA_U: "M_gammau" "M_(gamma \"u\")" N_M / KN_M, "Moment on the slope of all that slews without the load, about the slewing axis; positive counter-clockwise.", "virtual work";
-    G_S: "g_s" "g_\"s\"" M_PER_S2 / M_PER_S2, "Acceleration of gravity down the slope.", "derived";
     W_BLOW: "W_blow" "W_\"blow\"" J / KJ [not_negative], "Energy that blows have taken.", "Newton and Euler";
     SLACK: "slack" "sigma" ONE / ONE, "Whether the rope hangs slack (1) or is taut (0).", "state";
     WAY: "way" "w" ONE / ONE, "Whether slewing rests (0), or which way it turns (1, -1).", "state";

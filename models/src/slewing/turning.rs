@@ -4,13 +4,9 @@ use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::quantities;
 use crate::kernel::variable::Fault;
+use crate::parts::slope::SlopingGround;
 use crate::parts::turntable::Turning;
 use crate::slewing::symbols as s;
-
-quantities! {
-    /// The ground, and what stands on it besides the load.
-    Ground { gamma_s: GAMMA_S, g_u: G_U, r_u: R_U }
-}
 
 quantities! {
     /// The load, its reach, and what it weighs by.
@@ -49,10 +45,8 @@ pub fn total<C: Calc>(turning: &Turning<C>, carried: &SlewedLoad<C>) -> Result<C
 }
 
 /// M_γ = −(G_u r_u + Q R) sin γ sin ψ, in N·m: what the weights' height loses for one radian. [Ports001, 6.4]
-pub fn tilt<C: Calc>(slope: &Ground<C>, hung: &Hung<C>, psi: &C) -> C {
-    let (steep, _) = slope.gamma_s.sin_cos();
-    let (aside, _) = psi.sin_cos();
-    (-((slope.g_u * slope.r_u + hung.q * hung.r) * steep * aside)).def(&s::M_GAMMA)
+pub fn tilt<C: Calc>(slope: &SlopingGround<C>, hung: &Hung<C>, psi: &C) -> C {
+    (slope.across(slope.g_u * slope.r_u + hung.q * hung.r, *psi)).def(&s::M_GAMMA)
 }
 
 /// What the drive gives at constant speed, in N·m and W.

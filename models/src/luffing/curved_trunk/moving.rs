@@ -154,8 +154,8 @@ impl SingleBoom for Trunked {
         let TrunkCentres { boom, trunk } = TrunkCentres::new(centres, (phi, &position), (&travel, &bend));
         let place = [position.b + trunk[0], trunk[1], trunk[2]];
         let dd_a = bend.of_point(&position, &travel, position.front);
-        let moves = Moves {
-            bodies: [
+        let moves = Moves::in_plane(
+            [
                 MovedBody {
                     centre: boom,
                     turn: [C::constant(1.0), zero],
@@ -166,11 +166,9 @@ impl SingleBoom for Trunked {
                 },
             ],
             counterweight,
-            head: [position.a, travel.a, plane::def(dd_a, [&m::DDA_X, &m::DDA_Y])],
-            drive: [zero; 2],
-            turn: [zero; 2],
-            lead: None,
-        };
+            [position.a, travel.a, plane::def(dd_a, [&m::DDA_X, &m::DDA_Y])],
+            None,
+        );
         Some(Reduced::of(of.bodies.each_ref(), OF_BODY.each_ref(), gravity, moves))
     }
 }

@@ -12,7 +12,7 @@ use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::parameters::{Driven, Parameters, Weights};
 use crate::luffing::double_link::position::Position;
-use crate::luffing::moving::bodies::{Bar, Body, Moves, Pendulum, parts, turned_inertia};
+use crate::luffing::moving::bodies::{Bar, Body, MovedBody, Moves, Pendulum, parts, turned_inertia, weighed_forward};
 use crate::luffing::moving::reduced::{Asked, Reduced};
 use crate::parts::motion::Motion as Range;
 use crate::parts::plane::{self, Point, dot};
@@ -193,14 +193,23 @@ impl<P: Calc> HeavyLinkage<P> {
             .turntable
             .as_ref()
             .map_or([zero; 2], |table| turned_inertia(table, bodies, &bars, counterweight));
+        let moved: [MovedBody<T>; 3] = std::array::from_fn(|i| bars[i].moved(bodies[i]));
+        let counterweight = counterweight.map(|(mass, place)| (mass, parts(place)));
         let drive = push.map_or([zero; 2], |push| {
             let [line, d] = push.line(g.driven, &bars);
             let length = plane::length(line);
             [length, dot(line, d) / length]
         });
         Some(Moves {
-            bodies: std::array::from_fn(|i| bars[i].moved(bodies[i])),
-            counterweight: counterweight.map(|(mass, place)| (mass, parts(place))),
+            weighed: asked.turntable.filter(|_| asked.leans).map(|table| {
+                let (gravity, axis) = (T::of(self.bodies.gravity), T::of(table.axis));
+                let each = bodies.into_iter().zip(&moved);
+                let each = each.map(|(body, moved)| (T::of(body.mass), moved.centre));
+                let of = |(mass, [at, travel, _]): (T, [Point<T>; 3])| [mass * gravity, at.x - axis, travel.x];
+                weighed_forward(each.chain(counterweight).map(of))
+            }),
+            bodies: moved,
+            counterweight,
             head: parts(p.a),
             drive,
             turn,

@@ -20,7 +20,7 @@ use crate::luffing::strength::outline::WorkedOutline;
 use crate::luffing::{resistances, strength};
 use crate::parts::hydraulics::symbols as h;
 use crate::parts::{
-    air, ground, hanging, hydraulics, motor, shaping, side_wind, starts, teeth, turntable, turntable_control,
+    air, ground, hanging, hydraulics, motor, shaping, side_wind, slope, starts, teeth, turntable, turntable_control,
 };
 
 /// What given quantities of its own are for that no formula has.
@@ -53,12 +53,13 @@ pub const FOLLOWED: &[&Symbol] = &[
     &m::M_A,
     &m::M_SL,
     &m::M_WS,
+    &m::M_GAMMA,
     &m::M_M_H,
 ];
 
 pub const OUTLINE: Outline = Outline {
     inputs: chapters! {
-        geometry "", weights, drive, balance, load "Q", motion, moving "dynamics", luffing_control "control", hoisting, hoisting_control "hoisting.control", air, ground, slewing, slewing_control "slewing.control", oil "hydraulics",
+        geometry "", weights, drive, balance, load "Q", motion, moving "dynamics", luffing_control "control", hoisting, hoisting_control "hoisting.control", air, ground, slewing, slope "slewing.slope", slewing_control "slewing.control", oil "hydraulics",
         cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_start "cases.start", case_curve "cases.start.curve", case_brake "cases.brake", case_second_brake "cases.second_brake",
         case_buckling "cases.buckling", case_teeth "cases.teeth", case_nut "cases.nut", case_pin_sizes "cases.pin_size", limits
     },
@@ -188,6 +189,7 @@ pub const VOCABULARY: Vocabulary = Vocabulary {
         turntable::ALL,
         turntable_control::ALL,
         side_wind::ALL,
+        slope::ALL,
         shaping::ALL,
         control::luffing::ALL,
         control::hoist::ALL,

@@ -19,7 +19,7 @@ use crate::luffing::double_link::symbols as g;
 use crate::luffing::double_link::system::height;
 use crate::luffing::moving::balance_in_motion::{PosedCounterweight, named};
 use crate::luffing::moving::bodies::{
-    Bar, Body, MovedBody, Moves, Turntable, about_axis, changes, deviation, parts, spread,
+    Bar, Body, MovedBody, Moves, Turntable, about_axis, changes, deviation, parts, spread, weighed_forward,
 };
 use crate::luffing::moving::dynamics::Dynamics;
 use crate::luffing::moving::inertia_forces::PosedBody;
@@ -258,6 +258,15 @@ impl Posing<Rec> for Rec {
                 None => [Rec::constant(0.0); 2],
             },
             turn: turn.unwrap_or([Rec::constant(0.0); 2]),
+            weighed: asked.leans.then(|| {
+                let gravity = d.bodies.gravity;
+                let each = posed
+                    .bodies
+                    .iter()
+                    .map(|it| [it.mass * gravity, it.reach, it.travel[0].x]);
+                let counterweight = posed.counterweight.iter();
+                weighed_forward(each.chain(counterweight.map(|it| [it.mass * gravity, it.reach, it.travel[0].x])))
+            }),
             lead: None,
         };
         Some(d.sum(moves))

@@ -153,8 +153,8 @@ impl SingleBoom for Guided {
         let travel = plane::def(Point::new(-(axes[0] * sin), axes[1] * cos), [&s::DA_X, &s::DA_Y]);
         let bend = plane::def(-head, [&m::DDA_X, &m::DDA_Y]);
         let turn = [C::constant(1.0), zero];
-        let moves = Moves {
-            bodies: [
+        let moves = Moves::in_plane(
+            [
                 MovedBody {
                     centre: [s, ds, -s],
                     turn,
@@ -165,11 +165,9 @@ impl SingleBoom for Guided {
                 },
             ],
             counterweight,
-            head: [head, travel, bend],
-            drive: [zero; 2],
-            turn: [zero; 2],
-            lead: None,
-        };
+            [head, travel, bend],
+            None,
+        );
         let names = OF_BODY.each_ref();
         Some(Reduced::of(of.bodies.each_ref(), names, gravity, moves))
     }

@@ -5,6 +5,7 @@ use num_dual::{Dual2, DualNum};
 use crate::kernel::calc::{Calc, Over};
 use crate::kernel::record::Rec;
 use crate::kernel::symbol::Symbol;
+use crate::luffing::moving::symbols as s;
 use crate::parts::hanging::cancelling;
 use crate::parts::hoist::Hoist;
 use crate::parts::plane::{self, Point, dot};
@@ -127,7 +128,57 @@ pub(crate) struct Moves<C, const N: usize> {
     pub head: [Point<C>; 3],
     pub drive: [C; 2],
     pub turn: [C; 2],
+    /// Weights times their distance forward of the slewing axis, and times their travel forward, in N·m.
+    pub weighed: Option<[C; 2]>,
     pub lead: Option<[C; 2]>,
+}
+
+/// Weights of all bodies as a slope finds them: times their distance forward of the slewing axis (N·m), and times their travel
+/// forward and up for one radian of the driving link (N·m).
+#[derive(Clone, Copy, Debug)]
+pub struct WeighedBodies<C> {
+    pub forward: C,
+    pub travel: Point<C>,
+}
+
+impl<C: Calc> WeighedBodies<C> {
+    pub fn map<D>(self, f: impl Fn(C) -> D) -> WeighedBodies<D> {
+        WeighedBodies {
+            forward: f(self.forward),
+            travel: Point::new(f(self.travel.x), f(self.travel.y)),
+        }
+    }
+}
+
+/// Sums over bodies of a weight (N), a distance forward of the slewing axis and its travel for one radian of the driving link (m):
+/// both times the weight, in N·m.
+pub(crate) fn weighed_forward<C: Calc>(bodies: impl Iterator<Item = [C; 3]>) -> [C; 2] {
+    let none = [C::constant(0.0); 2];
+    let [place, travel] = bodies.fold(none, |[place, travel], [weight, reach, ahead]| {
+        [place + weight * reach, travel + weight * ahead]
+    });
+    [place.def(&s::W_SX), travel.def(&s::W_GX)]
+}
+
+impl<C: Calc, const N: usize> Moves<C, N> {
+    /// Of a mechanism whose plane does not turn, and whose drive nothing asks for.
+    pub fn in_plane(
+        bodies: [MovedBody<C>; N],
+        counterweight: Option<(C, [Point<C>; 3])>,
+        head: [Point<C>; 3],
+        lead: Option<[C; 2]>,
+    ) -> Moves<C, N> {
+        let nothing = [C::constant(0.0); 2];
+        Moves {
+            bodies,
+            counterweight,
+            head,
+            drive: nothing,
+            turn: nothing,
+            weighed: None,
+            lead,
+        }
+    }
 }
 
 /// A body's centre of gravity: place, first and second derivative by the driven angle, in m; square of the body's

@@ -8,7 +8,7 @@ use crate::luffing::moving::bodies::{Pendulum, Turntable};
 use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
 use crate::luffing::moving::exposed::{Exposed, shared};
 use crate::luffing::moving::geared::Geared;
-use crate::luffing::moving::given::{Constants, Fitted};
+use crate::luffing::moving::given::{Constants, Fitted, SlewedParts};
 use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::hydraulic::{Crane, Hydraulic};
 use crate::luffing::moving::level::Level;
@@ -24,8 +24,6 @@ use crate::parts::hoist::{Elastic, Hoist, HoistCommand, Winch, WinchDrive};
 use crate::parts::hydraulics::cylinder::Cylinder;
 use crate::parts::joint::{Friction, Joint, JointDrive};
 use crate::parts::motion::Motion;
-use crate::parts::side_wind::SlewedArea;
-use crate::parts::turntable::Turning;
 
 /// Natural frequency, in rad/s, of the mechanism alone against an end stop of the hydraulic level;
 /// the stop is damped critically.
@@ -98,13 +96,11 @@ pub struct LevelParts<P: Calc> {
     /// Of slewing, from the mechanism's origin, in m.
     pub axis: P,
     pub constants: Constants<P>,
-    pub turning: Option<Turning<P>>,
+    pub slewed: Option<SlewedParts<P>>,
     pub cylinder: Option<Cylinder<P>>,
     /// Around the load.
     pub around: Option<AirAround<P>>,
     pub ground: Option<GroundBelow<P>>,
-    /// Of what slews, with the density of its air.
-    pub area: Option<SlewedArea<P>>,
     pub fitted: Fitted,
 }
 
@@ -133,12 +129,16 @@ impl<P: Coordinate<P>> LevelParts<P> {
             stops,
         };
         let luffing = joint(constants.c_v, constants.m_f, [self.range.from, self.range.to]);
-        let slewing = (self.turning.zip(fitted.slewing)).map(|(t, stops)| joint(t.c_sl, t.m_f_sl, stops));
+        let turning = self.slewed.map(|slewed| slewed.turning);
+        let slewing = (turning.zip(fitted.slewing)).map(|(t, stops)| joint(t.c_sl, t.m_f_sl, stops));
         if let Some(around) = &self.around {
             dynamics = dynamics.in_air(AirDrag::new(around, constants.g), [P::constant(0.0); 2]);
         }
-        if let Some(area) = self.area {
-            dynamics = dynamics.from_the_side(area);
+        if let Some(area) = self.slewed.and_then(|slewed| slewed.area) {
+            dynamics = dynamics.from_the_side(area.in_air(self.around.as_ref()));
+        }
+        if let Some(slope) = self.slewed.and_then(|slewed| slewed.slope) {
+            dynamics = dynamics.on_slope(slope);
         }
         if let Some(ground) = self.ground {
             dynamics = dynamics.above_ground(ground.y_g);
@@ -146,7 +146,7 @@ impl<P: Coordinate<P>> LevelParts<P> {
         if let Some(outdoors) = fittings.outdoors {
             dynamics = dynamics.outdoors(outdoors);
         }
-        if let Some(turning) = self.turning {
+        if let Some(turning) = turning {
             dynamics = dynamics.with_slewing(Turntable {
                 axis: self.axis,
                 inertia: turning.j_sl,

@@ -14,7 +14,6 @@ use crate::luffing::moving::symbols as s;
 use crate::parts::ground::Raised;
 use crate::parts::hoist::{Drum, Elastic, Hoist, HoistCommand, RopeAction};
 use crate::parts::joint::{Arrival, Bar, Joint, JointDrive, LOOSE, above_zero};
-use crate::parts::plane::Point;
 use crate::parts::solver::{Halt, finite};
 
 /// What drives J joints and the hoist; constant over a step.
@@ -183,8 +182,8 @@ pub trait Struck<const N: usize, const J: usize>: Hangs<N, J, f64> {
     /// The load is put at rest on ground at a height (m), straight below or above where it is.
     fn put_down(&self, state: &mut CraneState<N, J>, r: &Reduced<f64>, ground: f64);
 
-    /// The load's place in the mechanism's plane (m), and the square of its speed against the ground (m²/s²).
-    fn place_and_speed(&self, state: &CraneState<N, J>, r: &Reduced<f64>) -> (Point<f64>, f64);
+    /// Potential energy of the load over its mass (J/kg), and the square of its speed against the ground (m²/s²).
+    fn height_and_speed(&self, state: &CraneState<N, J>, r: &Reduced<f64>) -> [f64; 2];
 }
 
 impl<const N: usize, const J: usize, P: Calc> MovingCrane<N, J, P>
@@ -238,6 +237,11 @@ where
         }
         let r = &self.reduced(state, y[0])?;
         Some(self.rates_at(&Snapshot { state, r, y, commands }))
+    }
+
+    /// Its slewing angle (rad), where it slews.
+    pub(crate) fn slewed<C: Copy>(y: &[C; N]) -> Option<C> {
+        (J > 1).then(|| y[2])
     }
 
     /// Whether nothing is left of the rope.

@@ -13,6 +13,7 @@ use crate::luffing::moving::reduced::{Asked, CoordinateNames, Reduced, Reduces};
 use crate::luffing::moving::weather::{Exposes, Outdoors, Weather};
 use crate::parts::air::AirDrag;
 use crate::parts::side_wind::SlewedArea;
+use crate::parts::slope::SlopingGround;
 use crate::parts::solver::Gradient;
 
 /// What the mechanism was at the angle (rad) that was asked for last: rates, events, powers and forces of one instant
@@ -48,6 +49,8 @@ pub struct Dynamics<P = f64> {
     air: Option<AirDrag<P>>,
     /// Of what slews, with the density of its air.
     area: Option<SlewedArea<P>>,
+    /// Under a crane that slews.
+    slope: Option<SlopingGround<P>>,
     /// Speed (m/s) and direction (rad) of the wind.
     blows: [P; 2],
     /// Height of the ground, in m.
@@ -105,6 +108,7 @@ impl<const N: usize> Coordinate for Gradient<N> {
             head: [r.head[0].map(of), r.head[1].map(of), r.head[2].map(of)],
             drive: [of(r.drive[0]), of(r.drive[1])],
             turn: r.turn.map(of),
+            weighed: r.weighed.map(|weighed| weighed.map(of)),
             lead: r.lead.map(|lead| lead.map(of)),
             shaft: r.shaft.map(|shaft| shaft.map(of)),
             outside: r.outside.map(|outside| outside.map(of)),
@@ -143,6 +147,7 @@ impl<P: Calc> Dynamics<P> {
             mechanism,
             asked: Asked {
                 turntable: None,
+                leans: false,
                 drive: false,
             },
             geared: None,
@@ -150,6 +155,7 @@ impl<P: Calc> Dynamics<P> {
             gravity,
             air: None,
             area: None,
+            slope: None,
             blows: [P::constant(0.0); 2],
             ground: None,
             outdoors: None,
@@ -169,6 +175,19 @@ impl<P: Calc> Dynamics<P> {
     pub fn from_the_side(mut self, area: SlewedArea<P>) -> Dynamics<P> {
         self.area = Some(area);
         self
+    }
+
+    /// On a slope, where it slews.
+    #[must_use]
+    pub fn on_slope(mut self, slope: SlopingGround<P>) -> Dynamics<P> {
+        (self.slope, self.asked.leans) = (Some(slope), true);
+        self.latest = Latest::default();
+        self
+    }
+
+    /// Under a crane that slews, where it is not level.
+    pub(crate) fn slope(&self) -> Option<&SlopingGround<P>> {
+        self.slope.as_ref()
     }
 
     /// With ground below the load, at a height in m.

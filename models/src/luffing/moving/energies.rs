@@ -29,12 +29,13 @@ where
         let (r, y) = (self.reduced(state, state.y[0])?, &state.y);
         let inertias = [r.inertia, r.turn[0]];
         let moving: f64 = (0..J).map(|i| inertias[i] * y[2 * i + 1] * y[2 * i + 1]).sum();
-        let bars = 0.5 * moving + r.energy + self.drum_energy(state, &r);
+        let leaned = Self::slewed(y).map_or(0.0, |psi| self.dynamics.leaned_energy(&r, psi));
+        let bars = 0.5 * moving + r.energy + leaned + self.drum_energy(state, &r);
         let Some(pendulum) = self.dynamics.pendulum() else {
             return Some(bars);
         };
-        let (place, speed) = self.place_and_speed(state, &r);
-        let load = pendulum.mass * (0.5 * speed + self.dynamics.potential(place));
+        let [potential, speed] = self.height_and_speed(state, &r);
+        let load = pendulum.mass * (0.5 * speed + potential);
         let stretch = Self::reach(y)[0] - y[Self::LENGTH];
         Some(bars + load + pendulum.hoist.energy(y[Self::OWN - 1], stretch))
     }

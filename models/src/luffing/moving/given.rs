@@ -13,6 +13,7 @@ use crate::luffing::moving::weather::Weather;
 use crate::parts::hoist::{Drum, HoistCommand};
 use crate::parts::joint::{Bar, JointDrive};
 use crate::parts::side_wind::SlewedArea;
+use crate::parts::slope::SlopingGround;
 use crate::parts::turntable::Turning;
 
 /// Most continuous states of any level.
@@ -26,11 +27,13 @@ quantities! {
     }
 }
 
-/// What slews besides the bodies of the mechanism: inertia and friction, and the structure as the wind meets it.
+/// What slews besides the bodies of the mechanism: inertia and friction, the structure as the wind meets it, and the slope with
+/// the weight on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlewedParts<C = f64> {
     pub turning: Turning<C>,
     pub area: Option<SlewedArea<C>>,
+    pub slope: Option<SlopingGround<C>>,
 }
 
 impl<C: Copy> SlewedParts<C> {
@@ -39,11 +42,12 @@ impl<C: Copy> SlewedParts<C> {
         SlewedParts {
             turning: self.turning.map(f),
             area: self.area.map(|area| area.map(f)),
+            slope: self.slope.map(|slope| slope.map(f)),
         }
     }
 }
 
-by_map!(SlewedParts: 6);
+by_map!(SlewedParts: 9);
 
 quantities! {
     /// What is constant in motion, besides the mechanism and its inertias.

@@ -16,11 +16,7 @@ where
             .dynamics
             .pendulum()
             .map_or(C::constant(0.0), |load| C::of(load.mass));
-        let mut gravity = C::of(self.dynamics.gravity());
-        if let Some(outdoors) = self.dynamics.weather() {
-            gravity -= C::of(outdoors.lean.y);
-        }
-        raised.bears(mass * gravity, self.tension(at))
+        raised.bears(mass * self.dynamics.upright(), self.tension(at))
     }
 
     /// Force of the ground on the load, in N, and its height above it, in m.

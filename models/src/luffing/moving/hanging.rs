@@ -32,17 +32,17 @@ impl<P: Calc> Dynamics<P> {
         Some(Stream::new(air.over(), self.blows().map(C::of), psi))
     }
 
-    /// What acts on the load besides its rope: the ground on which it stands, or gravity and air.
+    /// What acts on the load besides its rope, at a slewing angle (rad): the ground on which it stands, or gravity and air.
     pub(crate) fn surroundings<'a, C: Coordinate<P>>(
         &self,
         grounded: bool,
         air: Option<&'a Stream<C>>,
+        psi: C,
     ) -> Surroundings<'a, C> {
-        let zero = C::constant(0.0);
         match grounded {
             true => Surroundings::Ground,
             false => Surroundings::Free {
-                gravity: Vector3::new(zero, -C::of(self.gravity()), zero),
+                gravity: self.gravity_at(psi),
                 air,
             },
         }

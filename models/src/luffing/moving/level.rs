@@ -9,6 +9,7 @@ use crate::luffing::moving::driven::Slopes;
 use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
 use crate::luffing::moving::given::{Inputs, MOST_STATES};
 use crate::luffing::moving::hydraulic::{FIRST, FIXED, Hydraulic, MOST, Modes, PresentCrane};
+use crate::luffing::moving::leaning::Outer;
 use crate::luffing::moving::motion::{HauledLinkage, MovingLinkage};
 use crate::luffing::moving::powers::{Powers, oil_powers, powers_of};
 use crate::luffing::moving::reduced::MotorShaft;
@@ -79,9 +80,8 @@ pub enum MotionResult {
     /// Of the ground on the load, and the load's height above it.
     Ground,
     Height,
-    /// Of wind and slope on the bodies, at the driven bar.
-    Wind,
-    Slope,
+    /// Of wind and slope.
+    Outer(Outer),
     /// Powers of the motor that drives it, and of the brakes on the drum of a slack rope.
     Motor,
     DrumBrake,
@@ -140,7 +140,10 @@ fn oil_reaction<const N: usize, P: Coordinate<P>>(
         MotionResult::AirPower => Some(system.in_air(modes, y)?[1]),
         MotionResult::Ground => Some(system.on_ground(modes, y)?[0]),
         MotionResult::Height => Some(system.on_ground(modes, y)?[1]),
-        MotionResult::Wind | MotionResult::Slope => outside(system.dynamics(), y[0], reaction),
+        MotionResult::Outer(which) => {
+            let slews = system.dynamics().turntable().is_some();
+            system.dynamics().outer(y[0], slews.then(|| y[FIXED]), which)
+        }
         MotionResult::Motor | MotionResult::DrumBrake => Some(P::constant(0.0)),
     }
 }
@@ -192,18 +195,9 @@ where
             Some(if reaction == MotionResult::Motor { given } else { braked })
         }
         MotionResult::SlewingFriction => crane.friction_moment(1, state, commands, y),
-        MotionResult::Wind | MotionResult::Slope => outside(&crane.dynamics, y[0], reaction),
+        MotionResult::Outer(which) => crane.dynamics.outer(y[0], MovingCrane::<N, J, P>::slewed(y), which),
         MotionResult::Friction | MotionResult::Cylinder => crane.friction_moment(0, state, commands, y),
     }
-}
-
-/// Moment of wind or slope at an angle (rad); `None` where the linkage does not close.
-fn outside<P: Coordinate<P>>(dynamics: &Dynamics<P>, theta: P, which: MotionResult) -> Option<P> {
-    let outside = P::reduced(dynamics, theta)?.outside;
-    Some(outside.map_or(P::constant(0.0), |it| match which {
-        MotionResult::Wind => it.wind,
-        _ => it.slope,
-    }))
 }
 
 /// The shaft of a motor that turns with it at an angle (rad), where it has one; `None` where the linkage does not close.
@@ -337,10 +331,7 @@ impl<P: Coordinate<P>> Level<P> {
             turning: slews.then(|| own[1]),
             pull,
             tension,
-            pushed: match dynamics.weather() {
-                Some(outdoors) => Some(outdoors.pushed(y[0])?),
-                None => None,
-            },
+            pushed: dynamics.pushed(y[0], slews.then(|| own[0]))?,
             shares,
         })
     }

@@ -49,8 +49,9 @@ pub struct Fittings {
     pub ramp: bool,
     pub motor: bool,
     pub air: bool,
-    /// Wind on what slews.
+    /// Wind on what slews, and a slope under it.
     pub aside: bool,
+    pub leans: bool,
     pub ground: bool,
     pub anti_cavitation: bool,
     pub load_holding: bool,
@@ -82,6 +83,7 @@ impl Fittings {
             motor: sources.motor.is_some(),
             air: sources.around.is_some(),
             aside: sources.slewed.is_some_and(|slewed| slewed.area.is_some()),
+            leans: sources.slewed.is_some_and(|slewed| slewed.slope.is_some()),
             ground: sources.ground.is_some(),
             anti_cavitation: sources.oil_parts.is_some_and(|parts| parts.anti_cavitation.is_some()),
             load_holding: sources.oil_parts.is_some_and(|parts| parts.load_holding.is_some()),
@@ -162,6 +164,7 @@ impl Fittings {
             _ if of(&[&s::P_WS, &s::M_WS]) => self.aside,
             _ if of(&[&s::M_WIND]) => self.meets.pressure,
             _ if of(&[&s::M_SLOPE]) => self.meets.slope,
+            _ if of(&[&s::M_GAMMA, &s::M_GAMMA_L]) => self.leans,
             _ if of(listed!(s: PHI_R, CHI_R, S_Q)) => self.slews && self.rope,
             _ => true,
         }

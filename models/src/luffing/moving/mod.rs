@@ -10,7 +10,7 @@
 //! | `control`, `regulated` | controllers of luffing, slewing and hoist; a crane under those that are not sampled |
 //! | `pulled`, `unwound`, `caught` | a crane that a rope luffs, which may go slack; that of a drive, whose drum has inertia |
 //! | `hydraulic` | the same moved by a cylinder |
-//! | `weather`, `exposed` | wind and slope, as told; what they come to on a mechanism's bodies |
+//! | `weather`, `exposed`, `leaning` | wind and slope, as told; what they come to on a mechanism's bodies; a slope under one that slews |
 //! | `geared`, `brakes` | a motor whose shaft turns with the mechanism; brakes on it, which fall on after a delay |
 //! | `weighed` | the counterweight of a balance with its derivatives |
 //! | `level`, `shares`, `powers`, `energies` | what the levels have in common; what turns the driving link; what gives and takes power, and what blows do |
@@ -44,6 +44,7 @@ pub mod hanging;
 pub mod hoisting;
 pub mod hydraulic;
 pub mod inertia_forces;
+pub mod leaning;
 pub mod level;
 pub mod levels;
 pub mod listed;

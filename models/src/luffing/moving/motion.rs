@@ -371,12 +371,13 @@ impl<const N: usize> Struck<N, 1> for MovingCrane<N, 1> {
         (y[3], y[6]) = (-head.dot(&along) / y[5], -head.dot(&out));
     }
 
-    fn place_and_speed(&self, state: &CraneState<N, 1>, r: &Reduced<f64>) -> (Point<f64>, f64) {
+    fn height_and_speed(&self, state: &CraneState<N, 1>, r: &Reduced<f64>) -> [f64; 2] {
         let (m, reel) = (phase(&state.y), self.reel(state, r, &state.y));
         let [a, d, _] = r.head;
         let (out, along) = directions(m.swing);
         let velocity = d * m.omega + along * (reel.length * m.swing_rate) + out * reel.rate;
-        (a + out * reel.length, velocity.norm_squared())
+        let potential = self.dynamics.potential(a + out * reel.length);
+        [potential, velocity.norm_squared()]
     }
 }
 

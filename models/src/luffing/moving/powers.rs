@@ -44,10 +44,8 @@ where
         }
         friction += -crane.friction_moment(i, state, commands, y)? * rate;
     }
-    let aside = match J {
-        1 => 0.0,
-        _ => crane.dynamics.pushed_aside(y[2]).map_or(0.0, |moment| moment * y[3]),
-    };
+    let aside = MovingCrane::<N, J>::slewed(y).and_then(|psi| crane.dynamics.pushed_aside(psi));
+    let aside = aside.map_or(0.0, |moment| moment * y[3]);
     let powers = Powers {
         drive: drives[0],
         slewing: drives[1],

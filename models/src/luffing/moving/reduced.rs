@@ -7,7 +7,7 @@ use num_dual::Dual64;
 
 use crate::kernel::calc::{Calc, Over};
 use crate::kernel::symbol::Symbol;
-use crate::luffing::moving::bodies::{Body, Moves, Turntable};
+use crate::luffing::moving::bodies::{Body, Moves, Turntable, WeighedBodies};
 use crate::luffing::moving::symbols::{self as s, OfSums};
 use crate::luffing::moving::weather::Outside;
 use crate::parts::plane::{Point, dot, squared};
@@ -28,6 +28,8 @@ pub struct Reduced<C> {
     pub drive: [C; 2],
     /// Inertia about the slewing axis (kg·m²), and its change by the angle; zero where the crane does not slew.
     pub turn: [C; 2],
+    /// All weights, where a crane that slews stands on a slope.
+    pub weighed: Option<WeighedBodies<C>>,
     /// Rope that one radian of the angle adds between head and load (m), and its change by the angle, where the mechanism
     /// leads the load's rope away from the head; it does not slew then.
     pub lead: Option<[C; 2]>,
@@ -192,14 +194,19 @@ impl<C: Calc> Reduced<C> {
             moment += weight * v.y;
             energy += weight * r.y;
         }
+        let (inertia, slope, moment) = (inertia.def(&s::I_R), slope.def(&s::DI_R), moment.def(&s::M_W));
         Reduced {
-            inertia: inertia.def(&s::I_R),
-            slope: slope.def(&s::DI_R),
-            moment: moment.def(&s::M_W),
+            inertia,
+            slope,
+            moment,
             energy,
             head: moves.head,
             drive: moves.drive,
             turn: moves.turn,
+            weighed: moves.weighed.map(|[forward, ahead]| WeighedBodies {
+                forward,
+                travel: Point::new(ahead, moment),
+            }),
             lead: moves.lead,
             shaft: None,
             outside: None,
@@ -212,6 +219,8 @@ impl<C: Calc> Reduced<C> {
 pub struct Asked<P> {
     /// Where it slews.
     pub turntable: Option<Turntable<P>>,
+    /// It does so on a slope.
+    pub leans: bool,
     /// The length and the lever arm of its drive.
     pub drive: bool,
 }

@@ -12,7 +12,7 @@ use crate::luffing::moving::hoisting::{HoistKind, LoadRope, hoisting, load_rope,
 use crate::luffing::moving::oil_scene::{oil_drive, straight_beside_oil};
 use crate::luffing::moving::symbols as s;
 use crate::luffing::moving::weather::Weather;
-use crate::luffing::moving::weather_scene::{aside, blown, meets, not_met};
+use crate::luffing::moving::weather_scene::{aside, blown, leaning, meets, not_met};
 use crate::luffing::resistances::train::{BRAKE, MOTOR};
 use crate::parts::air::AIR;
 use crate::parts::control::reading::TABLE;
@@ -23,6 +23,7 @@ use crate::parts::hydraulics::parts::OilParts;
 use crate::parts::joint::JointDrive;
 use crate::parts::motion::{Motion, short_step};
 use crate::parts::side_wind::SlewedArea;
+use crate::parts::slope::{SLOPE, SlopingGround};
 use crate::parts::turntable::{SlewingJoint, too_fast, without_inertia};
 use crate::parts::turntable_control;
 
@@ -53,7 +54,7 @@ pub const fn dynamics<const N: usize>(bodies: &[Key]) -> [Key; N] {
 /// Keys of `[luffing.slewing]`.
 pub static SLEWING_KEYS: &[Key] = keys! { s:
     J_SL >= 0, C_SL >= 0 [optional], M_F_SL >= 0 [optional], M_SL [over_time, optional], M_B_SL >= 0 [over_time, optional],
-    A_WS >= 0 [optional], R_WS [optional], PSI_SL [optional], OMEGA_SL [optional], PSI_MIN [optional], PSI_MAX [optional], CHI_R [optional]; turntable_control::CONTROL
+    A_WS >= 0 [optional], R_WS [optional], PSI_SL [optional], OMEGA_SL [optional], PSI_MIN [optional], PSI_MAX [optional], CHI_R [optional]; turntable_control::CONTROL, SLOPE
 };
 
 /// A crane that slews, at the start.
@@ -62,6 +63,7 @@ pub struct SlewingStart {
     pub joint: SlewingJoint,
     /// Angle of the rope from the mechanism's plane, in rad.
     pub side: f64,
+    pub slope: Option<SlopingGround<f64>>,
 }
 
 /// What a mechanism's bodies are called where a scene leaves something out, and whether they have what motion needs.
@@ -143,6 +145,7 @@ impl Moving {
             self.meets.pressure.then_some("wind_in_motion"),
             self.meets.slope.then_some("slope_in_motion"),
             self.area.map(|_| "wind_aside_in_motion"),
+            self.slewing.and_then(|it| it.slope).map(|_| "slope_under_slewing"),
         ];
         let shaft = shaft.into_iter().flatten();
         load_taken(self.rope.as_ref(), fixed).chain(shaft).chain(controls)
@@ -302,6 +305,7 @@ fn quickest(
         times.push(inertia / of(table, &s::C_SL));
         times.push((inertia / strongest.drives[1].moment.abs()).sqrt());
         times.push((inertia / blown(v, table)).sqrt());
+        times.push((inertia / leaning(table)).sqrt());
     }
     // What does not act, on what has no inertia, has no time.
     times.into_iter().fold(f64::INFINITY, f64::min)
@@ -491,5 +495,6 @@ fn slewing(v: &Values, table: &Values, swings: bool, found: &mut Vec<Diagnostic>
     Some(SlewingStart {
         joint,
         side: table.number(s::CHI_R.id).unwrap_or(0.0),
+        slope: table.part(SLOPE.name, SlopingGround::read)?,
     })
 }

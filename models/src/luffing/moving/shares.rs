@@ -136,7 +136,7 @@ impl<C: Calc> Instant<C> {
     /// Force of the wind forward on a body, by its place among bars and counterweight (N), and its moment about the origin
     /// (N·m, clockwise).
     pub fn blown(&self, body: usize) -> Option<[C; 2]> {
-        self.pushed.map(|pushed| pushed.wind[body])
+        self.pushed.and_then(|pushed| pushed.wind).map(|wind| wind[body])
     }
 }
 

@@ -297,11 +297,10 @@ pub fn parts<B: SingleBoom, C: Calc>(
             range,
             axis,
             constants: *constants,
-            turning: None,
+            slewed: None,
             cylinder: None,
             around: *around,
             ground: *ground,
-            area: None,
             fitted: *fitted,
         },
     });

@@ -13,7 +13,6 @@ use crate::luffing::moving::symbols as s;
 use crate::parts::ground::Raised;
 use crate::parts::hanging::{Accelerations, HangingLoad, HeadRope, dot, squared, to_load, turned};
 use crate::parts::joint::Bar;
-use crate::parts::plane::Point;
 use crate::parts::solver::Halt;
 
 /// Number of states: angle and rate of the driven bar, of slewing, the load from the head and its rate in
@@ -113,9 +112,12 @@ impl<const N: usize, P: Calc> Hangs<N, 2, P> for MovingCrane<N, 2, P> {
         let free = state.joints.map(|joint| joint != Bar::Held);
         let line = self.line(at);
         let aside = self.dynamics.pushed_aside(y[2]);
-        let moments = [moment(0), aside.map_or_else(|| moment(1), |aside| moment(1) + aside)];
+        let mut moments = [moment(0), aside.map_or_else(|| moment(1), |aside| moment(1) + aside)];
+        if let Some([lifts, turns]) = self.dynamics.leaned(r, y[2]) {
+            moments = [moments[0] + lifts, moments[1] + turns];
+        }
         let air = self.dynamics.stream(y[2]);
-        let around = self.dynamics.surroundings(state.grounded, air.as_ref());
+        let around = self.dynamics.surroundings(state.grounded, air.as_ref(), y[2]);
         self.dynamics
             .slewed(r, [y[1], y[3]], load_of(y), moments, line, free, around)
     }
@@ -162,6 +164,9 @@ impl<const N: usize, P: Calc> Hangs<N, 2, P> for MovingCrane<N, 2, P> {
         };
         if let Some(aside) = self.dynamics.pushed_aside(y[2]).filter(|_| i > 0) {
             force += aside;
+        }
+        if let Some(leaned) = self.dynamics.leaned(r, y[2]) {
+            force += leaned[i];
         }
         if state.taut && self.hoist().is_some() {
             let a = self.accelerations(at);
@@ -274,9 +279,10 @@ impl<const N: usize> Struck<N, 2> for MovingCrane<N, 2> {
         state.put(load);
     }
 
-    fn place_and_speed(&self, state: &CraneState<N, 2>, r: &Reduced<f64>) -> (Point<f64>, f64) {
+    fn height_and_speed(&self, state: &CraneState<N, 2>, r: &Reduced<f64>) -> [f64; 2] {
         let (place, velocity) = self.velocity(state, r, &state.y);
-        (place.xy(), velocity.norm_squared())
+        let potential = -self.dynamics.gravity_at(state.y[2]).dot(&place);
+        [potential, velocity.norm_squared()]
     }
 }
 

@@ -14,6 +14,7 @@ use crate::luffing::moving::given::{
     CraneStates, CylinderOil, Fitted, Inputs, MOST_STATES, PSI_SL, Slack, SlewedParts, order,
 };
 use crate::luffing::moving::hydraulic::{Hydraulic, MOST, Modes, part};
+use crate::luffing::moving::leaning::Outer;
 use crate::luffing::moving::level::{CraneAt, Level, MOST_INDICATORS, MotionResult, first};
 use crate::luffing::moving::space;
 use crate::luffing::moving::symbols as s;
@@ -210,8 +211,8 @@ pub fn acted<C: Scalar>(
 ) -> Result<BarActed<C>, Fault> {
     let mut found = [C::constant(0.0); ACTING.len()];
     let all = [
-        MotionResult::Wind,
-        MotionResult::Slope,
+        MotionResult::Outer(Outer::Wind),
+        MotionResult::Outer(Outer::Slope),
         MotionResult::Motor,
         MotionResult::DrumBrake,
     ];
@@ -222,12 +223,12 @@ pub fn acted<C: Scalar>(
 }
 
 /// What acts on slewing besides its drive: moment of friction, brake and end stop (N·m), pressure of the wind on all that slews
-/// (Pa), and its moment (N·m).
+/// (Pa), its moment, and those of the slope, on luffing beside it (N·m).
 #[derive(Clone, Copy, Debug)]
-pub struct OnSlewing<C>([Option<C>; 3]);
+pub struct OnSlewing<C>([Option<C>; 5]);
 
 impl<C: Calc> Rows<C> for OnSlewing<C> {
-    const ROWS: &'static [&'static Symbol] = listed!(s: M_R_SL, P_WS, M_WS);
+    const ROWS: &'static [&'static Symbol] = listed!(s: M_R_SL, P_WS, M_WS, M_GAMMA, M_GAMMA_L);
     fn row(&self, row: u8, _: u16) -> Found<C> {
         self.0[usize::from(row)].ok_or_else(absent)
     }
@@ -246,9 +247,15 @@ impl<C: Scalar> OnSlewing<C> {
         let area = slewed.area.map(|area| area.in_air(around.as_ref()));
         let pushed = area.and_then(|area| area.pushed(at.inputs.wind, states.0[PSI_SL]));
         let [pressure, moment] = pushed.map_or([None; 2], |pushed| pushed.map(Some));
-        let found = (C::own::<InMotion>().reaction)(present(built, told), at, MotionResult::SlewingFriction);
-        let resisting = found.ok_or_else(|| open(theta))?;
-        Ok(OnSlewing([Some(resisting), pressure, moment]))
+        let of = |which| (C::own::<InMotion>().reaction)(present(built, told), at, which).ok_or_else(|| open(theta));
+        let leaning = |which| slewed.slope.map(|_| of(MotionResult::Outer(which))).transpose();
+        Ok(OnSlewing([
+            Some(of(MotionResult::SlewingFriction)?),
+            pressure,
+            moment,
+            leaning(Outer::Turning)?,
+            leaning(Outer::Lifting)?,
+        ]))
     }
 }
 

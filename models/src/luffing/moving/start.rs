@@ -204,6 +204,7 @@ fn sources(moving: &Moving) -> MotionSources {
         slewed: slewing.map(|turn| SlewedParts {
             turning: turn.joint.turning,
             area,
+            slope: turn.slope,
         }),
         oil,
         oil_parts,

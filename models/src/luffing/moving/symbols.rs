@@ -17,6 +17,7 @@ pub use crate::parts::hanging::{
 };
 pub use crate::parts::hydraulics::symbols::{DP_LH, I_LH, K_AC, P_AC, P_LH, P_PMAX, P_TANK, Q_PMAX, X_T, Y_B1, Y_B2};
 pub use crate::parts::side_wind::{A_WS, M_WS, P_WS, R_WS};
+pub use crate::parts::slope::{G_S, G_U, GAMMA_S, M_GAMMA, R_U};
 pub use crate::parts::turntable::{
     C_SL, CHI_R, D_OMEGA_SL, D_PSI_SL, J_SL, M_B_SL, M_F_SL, M_R_SL, M_SL, OMEGA_SL, PSI_MAX, PSI_MIN, PSI_SL,
     Z_SL_HIGH, Z_SL_LOOSE, Z_SL_LOW, Z_SL_REST,
@@ -108,6 +109,10 @@ symbols! {
     M_WIND: "M_wind" "M_\"w\"" N_M / KN_M, "Moment of the wind on the bodies for one radian of the driving link; positive turns it counter-clockwise.", "virtual work";
     M_SLOPE: "M_slope" "M_sigma" N_M / KN_M, "Moment of weights by the slope for one radian of the driving link, with that of a load that hangs on no rope; positive turns it counter-clockwise.", "virtual work";
     M_WO: "M_Wo" "M_\"Wo\"" N_M / KN_M, "Moment of the weights less those of wind and slope; positive lowers the driving link.", "virtual work";
+    W_SX: "W_sx" "W_(s x)" N_M / KN_M, "Weights of all bodies times their distance forward of the slewing axis.", "derived";
+    M_GAMMA_L: "M_gammal" "M_(gamma \"l\")" N_M / KN_M, "Moment of weights by the slope under a crane that slews, for one radian of the driving link, with that of a load that hangs on no rope; positive turns it counter-clockwise.", "virtual work";
+    A_GAMMA_X: "a_gamma.x" "a_(gamma x)" M_PER_S2 / M_PER_S2, "Gravity forward in the frame that slews, on a slope.", "derived";
+    G_GAMMA: "g_gamma" "g_gamma" M_PER_S2 / M_PER_S2, "Gravity upright to the slope under a crane that slews.", "derived";
     A_SLOPE_X: "a_slope.x" "a_(sigma x)" M_PER_S2 / M_PER_S2, "Acceleration by the slope, forward.", "derived";
     A_SLOPE_Y: "a_slope.y" "a_(sigma y)" M_PER_S2 / M_PER_S2, "Acceleration by the slope, upwards: what gravity lacks.", "derived";
     G_SLOPE: "g_slope" "g_sigma" M_PER_S2 / M_PER_S2, "What is left of gravity upright to the ground on a slope.", "derived";

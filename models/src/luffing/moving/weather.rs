@@ -74,7 +74,7 @@ pub struct Pushed<C> {
     pub lean: Point<C>,
     /// What is left of gravity upright to the ground, in m/s².
     pub gravity: C,
-    pub wind: [[C; 2]; BARS + 1],
+    pub wind: Option<[[C; 2]; BARS + 1]>,
 }
 
 /// A mechanism as wind and slope meet it, at any value of its coordinate (rad); `None` where it does not close.
@@ -117,7 +117,7 @@ impl<P: Calc> Outdoors<P> {
         Some(Pushed {
             lean: self.lean,
             gravity: self.gravity,
-            wind: self.to.pushes(at, &self.weather)?,
+            wind: Some(self.to.pushes(at, &self.weather)?),
         })
     }
 }

@@ -1,5 +1,6 @@
 //! What a scene says of wind and slope in motion, and of the wind on what slews.
 
+use crate::kernel::calc::Calc;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::schema::Values;
 use crate::kernel::symbol::Symbol;
@@ -8,6 +9,7 @@ use crate::luffing::moving::symbols as s;
 use crate::luffing::resistances::symbols as r;
 use crate::parts::air::{AIR, AROUND};
 use crate::parts::side_wind::{SlewedArea, half};
+use crate::parts::slope::{SLOPE, SlopingGround};
 
 /// What of wind and slope a mechanism meets in motion: what its cases have, a slope where its plane does not turn.
 pub(super) fn meets(v: &Values, slews: bool) -> Meets {
@@ -40,7 +42,10 @@ pub(super) fn not_met(dynamics: &Values, meets: Meets, slews: bool) -> Option<Di
         .find(|(symbol, met, _)| !met && dynamics.has(symbol.id))?;
     let turns = slews && symbol == &s::SIGMA_M;
     let (what, help) = match turns {
-        true => ("whose plane turns", "remove it, or [luffing.slewing]"),
+        true => (
+            "whose plane turns",
+            "give the slope under it in [slewing.slope] instead: gamma_s, with G_u and r_u of what stands on it",
+        ),
         false => ("whose cases have none of it", help),
     };
     let what = format!("{} of a mechanism in motion {what}", symbol.id);
@@ -53,6 +58,12 @@ pub(super) fn aside(v: &Values, swings: bool, found: &mut Vec<Diagnostic>) -> Op
     found.extend(half(slewing, own));
     let loaded = swings && air?.stands(AROUND[0]);
     SlewedArea::read(slewing, air, loaded)
+}
+
+/// Greatest moment of the weight on the slope that the scene has besides those of the mechanism's bodies, in N·m.
+pub(super) fn leaning(slewing: &Values) -> f64 {
+    let ground = slewing.table(SLOPE.name).and_then(SlopingGround::read);
+    ground.map_or(0.0, |it| it.g_u * it.r_u.abs() * Calc::sin_cos(it.gamma_s).0)
 }
 
 /// Greatest moment of the wind on what slews that the scene has, in N·m.

@@ -172,28 +172,14 @@ impl SingleBoom for Roped {
         };
         let Some(load) = &of.load else {
             let bend = plane::def(-head, [&m::DDA_X, &m::DDA_Y]);
-            let moves = Moves {
-                bodies: [boom],
-                counterweight,
-                head: [head, travel, bend],
-                drive: [zero; 2],
-                turn: [zero; 2],
-                lead: Some([led[1], led[2]]),
-            };
+            let moves = Moves::in_plane([boom], counterweight, [head, travel, bend], Some([led[1], led[2]]));
             return Some(Reduced::of([&of.boom], [&OF_BODY[0]], gravity, moves));
         };
         let hanging = MovedBody {
             centre: below([head, travel, -head], led),
             turn: [zero; 2],
         };
-        let moves = Moves {
-            bodies: [boom, hanging],
-            counterweight,
-            head: [head, travel, -head],
-            drive: [zero; 2],
-            turn: [zero; 2],
-            lead: None,
-        };
+        let moves = Moves::in_plane([boom, hanging], counterweight, [head, travel, -head], None);
         let names = OF_BODY.each_ref();
         Some(Reduced::of([&of.boom, load], names, gravity, moves))
     }

@@ -17,7 +17,7 @@ use crate::luffing::double_link::pose::Posing;
 use crate::luffing::moving::bodies::Body;
 use crate::luffing::moving::built::{HoistParts, LevelParts, Outfit};
 use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
-use crate::luffing::moving::given::{Constants, CylinderOil, Fitted};
+use crate::luffing::moving::given::{Constants, CylinderOil, Fitted, SlewedParts};
 use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::level::Level;
 use crate::parts::air::AirAround;
@@ -27,8 +27,6 @@ use crate::parts::hydraulics::parts::OilParts;
 use crate::parts::hydraulics::valve::Valve;
 use crate::parts::motion::Motion;
 use crate::parts::plane::Point;
-use crate::parts::side_wind::SlewedArea;
-use crate::parts::turntable::Turning;
 
 quantities! {
     /// Inertias of boom, jib and rocker.
@@ -48,8 +46,7 @@ pub struct CraneParts<P: Calc> {
     pub give: Option<RopeGive<P>>,
     pub around: Option<AirAround<P>>,
     pub ground: Option<GroundBelow<P>>,
-    pub turning: Option<Turning<P>>,
-    pub area: Option<SlewedArea<P>>,
+    pub slewed: Option<SlewedParts<P>>,
     pub oil: Option<CylinderOil<P>>,
     pub oil_parts: Option<OilParts<P>>,
     pub fitted: Fitted,
@@ -87,11 +84,10 @@ where
             range: self.range,
             axis: -self.parameters.lengths.x_8,
             constants: self.constants,
-            turning: self.turning,
+            slewed: self.slewed,
             cylinder: oil.map(|(oil, bore)| cylinder(&oil, &bore, self.oil_parts)),
             around: self.around,
             ground: self.ground,
-            area: self.area,
             fitted: self.fitted,
         }
         .level(dynamics, fittings)
@@ -108,7 +104,7 @@ where
         let [boom, jib, rocker] = slender(geometry, Some(weights), &inertias, constants.g);
         let head = head(geometry);
         // Where the crane does not turn nothing asks for it.
-        let spread = |jib: Body<P>| match self.turning {
+        let spread = |jib: Body<P>| match self.slewed {
             Some(_) => {
                 let [along, both, across] = jib.spread;
                 Body {

@@ -106,10 +106,7 @@ pub fn parts<C: Scalar>(
         give: *give,
         around: *around,
         ground: *ground,
-        turning: slewed.map(|slewed| slewed.turning),
-        area: slewed
-            .and_then(|slewed| slewed.area)
-            .map(|area| area.in_air(around.as_ref())),
+        slewed: *slewed,
         oil: *oil,
         oil_parts: *oil_parts,
         fitted: *fitted,

@@ -7,6 +7,8 @@
 
 use std::marker::PhantomData;
 
+use nalgebra::Vector3;
+
 use crate::component::description::Description;
 use crate::component::moving::MovingComponent;
 use crate::component::running::Running;
@@ -22,6 +24,7 @@ use crate::luffing::moving::symbols as m;
 use crate::luffing::moving::told::motor::{JointMotor, braking, place};
 use crate::luffing::moving::told::shown::{Drawn, Shown, ShownBar};
 use crate::luffing::moving::told::travel::Travel;
+use crate::parts::hanging::HangingLoad;
 use crate::parts::hydraulics::cylinder::Cylinder;
 use crate::parts::joint::JointDrive;
 
@@ -143,6 +146,13 @@ pub(super) fn at_rest(moving: &Moving) -> Moving {
     }
     if let Some(slewing) = &mut rest.slewing {
         (slewing.joint.start[1], slewing.side) = (0.0, 0.0);
+        if let (Some(rope), Some(slope)) = (&mut rest.rope, slewing.slope) {
+            let plumb = HangingLoad {
+                place: slope.gravity(1.0, slewing.joint.start[0]),
+                rate: Vector3::zeros(),
+            };
+            [rope.swing, slewing.side] = plumb.angles();
+        }
     }
     rest
 }

@@ -36,7 +36,7 @@ use crate::parts::hydraulics::symbols as h;
 use crate::parts::hydraulics::throttle::LAMINAR;
 
 /// What the formulas of a section give; those of the assembled model stand among them. A mechanism has its own besides.
-const SECTIONS: [(&str, &[&Symbol]); 14] = [
+const SECTIONS: [(&str, &[&Symbol]); 15] = [
     (
         "motion_counterweight",
         &[&m::MASS_5, &b::C_5X, &b::C_5Y, &m::DX_5, &m::DY_5, &m::DDX_5, &m::DDY_5],
@@ -61,6 +61,10 @@ const SECTIONS: [(&str, &[&Symbol]); 14] = [
     ),
     ("motion_slewing", &[]),
     ("motion_aside", &[&m::P_WS, &m::M_WS]),
+    (
+        "motion_leaning",
+        listed! { m: G_S, W_SX, W_GX, M_GAMMA_L, M_GAMMA, A_GAMMA_X, G_GAMMA },
+    ),
     (
         "motion_oil",
         &[
