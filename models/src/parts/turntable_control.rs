@@ -22,7 +22,7 @@ symbols! {
     OMEGA_S_SL: "omega_ssl" "omega_\"s sl\"" RAD_PER_S / DEG_PER_S, "Set point of the slewing controller since its last sample.", "derived";
     M_I_SL: "M_isl" "M_\"i sl\"" N_M / KN_M, "Integral part of the moment since the last sample of the slewing controller.", "derived";
     M_H_SL: "M_hsl" "M_\"h sl\"" N_M / KN_M, "Moment that the slewing controller holds since its last sample.", "derived";
-    E_PSI_SL: "e_psisl" "e_(psi \"sl\")" RAD / DEG, "Angle that is left to the commanded slewing angle at a sample.", "derived";
+    E_PSI_SL: "e_psisl" "e_(psi \"sl\")" RAD / DEG, "Angle that is left to the commanded slewing angle.", "derived";
     OMEGA_W_SL: "omega_wsl" "omega_\"w sl\"" RAD_PER_S / DEG_PER_S, "Angular velocity at which slewing goes to its commanded angle: from it the set point's acceleration stops it there.", "derived";
     OMEGA_N_SL: "omega_nsl" "omega_\"n sl\"" RAD_PER_S / DEG_PER_S, "Set point of the slewing controller from this sample to the next.", "derived";
     E_N_SL: "e_nsl" "e_\"n sl\"" RAD_PER_S / DEG_PER_S, "Error of the angular velocity of slewing at a sample.", "derived";
@@ -36,7 +36,9 @@ symbols! {
     D_EPSILON_SL: "der(epsilon_sl)" "dot(epsilon)_\"sl\"" RAD_PER_S / DEG_PER_S, "Rate of the integral of the error: that error, unless the limit of the moment holds the integral.", "derived";
     OMEGA_T_SL: "omega_tsl" "omega_\"t sl\"" RAD_PER_S / DEG_PER_S, "Commanded angular velocity to which the set point of the continuous slewing controller is going.", "state";
     D_OMEGA_C_SL: "der(omega_csl)" "dot(omega)_\"c sl\"" RAD_PER_S2 / RAD_PER_S2, "Rate of the commanded angular velocity of slewing, where that goes straight from value to value.", "derived";
-    WAY_R_SL: "way_rsl" "w_\"r sl\"" ONE / ONE, "Whether the set point of the continuous slewing controller is at its command (0), or which way it goes (1, -1).", "state";
+    PSI_T_SL: "psi_tsl" "psi_\"t sl\"" RAD / DEG, "Commanded angle to which the continuous slewing controller is going.", "state";
+    D_PSI_C_SL: "der(psi_csl)" "dot(psi)_\"c sl\"" RAD_PER_S / DEG_PER_S, "Rate of the commanded slewing angle, where that goes straight from value to value.", "derived";
+    WAY_R_SL: "way_rsl" "w_\"r sl\"" ONE / ONE, "Whether the set point of the continuous slewing controller is at its command (0), or which way it goes (1, -1); how it follows the speed that a commanded place asks for: the greatest (0), from which it stops there (2), in proportion to what is left (3).", "state";
     HOLD_SL: "hold_sl" "l_\"sl\"" ONE / ONE, "Whether the moment of the continuous slewing controller is within its limit (0), or at it, with the sign of the moment: the integral waits (1), falls (2), keeps the moment at the limit (3).", "state";
     Z_SL_RAMP: "z.sl_ramp" "z_24" ONE / ONE, "Falls below zero where the set point of the continuous slewing controller reaches its command.", "event";
     Z_SL_LIMIT: "z.sl_limit" "z_25" ONE / ONE, "Falls below zero where the moment that the continuous slewing controller asks for meets its limit or comes back within it.", "event";
@@ -53,12 +55,20 @@ pub static AXIS: DriveAxis = DriveAxis {
     sample: [&E_PSI_SL, &OMEGA_W_SL, &OMEGA_N_SL, &E_N_SL, &M_A_SL, &M_IN_SL, &M_N_SL],
     drive: &M_SL,
     reversed: false,
+    continuous: [&CONTINUOUS, &TO_PLACE],
 };
 
 /// What it is without a cycle.
 pub static CONTINUOUS: ContinuousAxis = ContinuousAxis {
     states: [&OMEGA_R_SL, &EPSILON_SL],
     past: [&OMEGA_T_SL, &D_OMEGA_C_SL, &WAY_R_SL, &HOLD_SL],
+    law: [&E_R_SL, &M_A_SL],
+};
+
+/// The same where its place is commanded.
+pub static TO_PLACE: ContinuousAxis = ContinuousAxis {
+    states: [&OMEGA_R_SL, &EPSILON_SL],
+    past: [&PSI_T_SL, &D_PSI_C_SL, &WAY_R_SL, &HOLD_SL],
     law: [&E_R_SL, &M_A_SL],
 };
 

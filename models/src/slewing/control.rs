@@ -4,7 +4,7 @@ use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 use crate::kernel::variable::Fault;
-use crate::parts::control::continuous::{Ordered, Regime, Regulating};
+use crate::parts::control::continuous::{Ordered, Regime, Regulating, Seen};
 use crate::parts::control::{Latched, SpeedControl};
 use crate::parts::turntable::Turning;
 use crate::slewing::coupling::{DriveRates, DriveSide, SlipCoupling};
@@ -50,9 +50,21 @@ pub fn speed<C: Calc>(side: &Option<DriveSide<C>>, omega: &One<C>) -> C {
     side.map_or(omega.1, |side| side.omega_d)
 }
 
-/// Its acceleration, in rad/s².
-pub fn accelerated<C: Calc>(turned: &Turned<C>, coupled: Option<&DriveRates<C>>) -> C {
-    coupled.map_or(turned.acceleration, |coupled| coupled.acceleration)
+/// What the continuous controller sees: the angle of what slews, and the speed of its drive, where a coupling may part them.
+pub fn seen<C: Calc>(
+    commanded: &One<C>,
+    side: &Option<DriveSide<C>>,
+    psi: &One<C>,
+    omega: &One<C>,
+    turned: &Turned<C>,
+    coupled: Option<&DriveRates<C>>,
+) -> Seen<C> {
+    Seen {
+        commanded: commanded.1,
+        place: psi.1,
+        speed: speed(side, omega),
+        acceleration: coupled.map_or(turned.acceleration, |coupled| coupled.acceleration),
+    }
 }
 
 /// Rates of the continuous controller's states.
@@ -61,14 +73,8 @@ pub struct Winding<C>([C; 2]);
 results! { Winding as w => { D_OMEGA_R_SL: w.0[0]; D_EPSILON_SL: w.0[1]; } }
 
 impl<C: Calc> Winding<C> {
-    pub fn new(
-        control: &SpeedControl<C>,
-        past: &Regime<C>,
-        regulation: &Regulation<C>,
-        turned: &Turned<C>,
-        coupled: Option<&DriveRates<C>>,
-    ) -> Winding<C> {
-        let [set, integral] = control.winding(past, &regulation.0, accelerated(turned, coupled));
+    pub fn new(control: &SpeedControl<C>, past: &Regime<C>, regulation: &Regulation<C>, seen: &Seen<C>) -> Winding<C> {
+        let [set, integral] = control.winding(past, &regulation.0, seen);
         Winding([set.def(&s::D_OMEGA_R_SL), integral.def(&s::D_EPSILON_SL)])
     }
 }
@@ -81,15 +87,12 @@ results! { ControlEvents as e => { Z_SL_RAMP: e.0[0]; Z_SL_LIMIT: e.0[1]; Z_SL_W
 impl<C: Calc> ControlEvents<C> {
     pub fn new(
         control: &SpeedControl<C>,
-        commanded: &One<C>,
         state: &Regulating<C>,
         past: &Regime<C>,
         regulation: &Regulation<C>,
-        turned: &Turned<C>,
-        coupled: Option<&DriveRates<C>>,
+        seen: &Seen<C>,
     ) -> ControlEvents<C> {
-        let acceleration = accelerated(turned, coupled);
-        ControlEvents(control.regulates_until(state, past, commanded.1, &regulation.0, acceleration))
+        ControlEvents(control.regulates_until(state, past, &regulation.0, seen))
     }
 }
 

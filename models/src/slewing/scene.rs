@@ -30,7 +30,7 @@ use crate::parts::plane::Point;
 use crate::parts::slip;
 use crate::parts::slope::{SLOPE, SlopingGround};
 use crate::parts::turntable::{self as joint, SlewingJoint, WIND_ON_SLEWED};
-use crate::parts::turntable_control::{self, AXIS, CONTINUOUS, CONTROL};
+use crate::parts::turntable_control::{self, AXIS, CONTROL};
 use crate::parts::{shaping, side_wind, slope};
 use crate::slewing::air_scene::{SlewedAir, refused};
 use crate::slewing::bounds::{Slewed, weightless};
@@ -187,7 +187,7 @@ fn steady(control: Option<SpeedControl>, omega: f64) -> (Option<Latched>, (Optio
     if control.cycle().is_some() {
         return (Some(Latched::steady(&control, omega)), (None, None));
     }
-    (None, Some(Regulating::steady(&CONTINUOUS, omega)).unzip())
+    (None, Some(Regulating::steady(&control, omega)).unzip())
 }
 
 /// What the scene makes an input.

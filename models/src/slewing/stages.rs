@@ -6,7 +6,7 @@ use crate::kernel::group::{One, group};
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Variable;
 use crate::parts::air::{AirAround, Stream, WindAround};
-use crate::parts::control::continuous::{Regime, Regulating};
+use crate::parts::control::continuous::{Regime, Regulating, Seen};
 use crate::parts::control::{Latched, SpeedControl};
 use crate::parts::hanging::HangingLoad;
 use crate::parts::joint::{Arrival, Bar, Joint};
@@ -15,9 +15,7 @@ use crate::parts::slope::SlopingGround;
 use crate::parts::turntable::Turning;
 use crate::slewing::air::{FeltAir, WindOnSlewed, outer, stream};
 use crate::slewing::blows::SwungInstant;
-use crate::slewing::control::{
-    ControlEvents, Controlled, Regulated, Regulation, Winding, accelerated, acting, sampled, speed,
-};
+use crate::slewing::control::{ControlEvents, Controlled, Regulated, Regulation, Winding, acting, sampled, seen};
 use crate::slewing::coupled_sides::{CoupledSides, CouplingEvents, needs};
 use crate::slewing::coupling::{
     DriveRates, DriveSide, SlipCoupling, SlipPast, all_along, carried_along, passed_on, passing,
@@ -87,14 +85,15 @@ stages! {
             motor, coupling[!], slipping[!], turning, past, stops, outer, led[?], turned, psi) => M_CD, decided;
         coupled: DriveRates<C> = DriveRates::new(
             motor, coupling[!], slipping[!], side[!], passing, turned, omega), decided;
-        winding: Winding<C> = Winding::new(control[!], regime[!], regulation, turned, coupled[?]), decided;
+        seen: Seen<C> = seen(commanded[!], side, psi, omega, turned, coupled[?]) => _;
+        winding: Winding<C> = Winding::new(control[!], regime[!], regulation, seen), decided;
         struck: C = struck(driven[!], past) => W_BLOW;
         events: SlewingEvents<C> = SlewingEvents::new(turning, drive, past, stops, outer, led[?], psi, omega);
         slackening: C = slackening(swinging, rope[!], slackness[!]) => Z_ROPE;
         parting: CouplingEvents<C> = CouplingEvents::new(
             motor, coupling[!], slipping[!], side[!], passing, omega), decided;
         regulated_until: ControlEvents<C> = ControlEvents::new(
-            control[!], commanded[!], regulating[!], regime[!], regulation, turned, coupled[?]), decided;
+            control[!], regulating[!], regime[!], regulation, seen), decided;
     }
 }
 
@@ -231,16 +230,7 @@ fn regulate(known: &mut Known<f64>) -> Found<bool> {
     let (Some(control), Some(before)) = (known.given.control, known.given.regulating.zip(known.given.regime)) else {
         return Ok(false);
     };
-    let coupled = known
-        .given
-        .coupling
-        .is_some()
-        .then(|| known.coupled().copied())
-        .transpose()?;
-    let acceleration = accelerated(known.turned()?, coupled.as_ref());
-    let given = &known.given;
-    let commanded = given.commanded.as_ref().map_or(0.0, |commanded| commanded.1);
-    let (state, past) = control.decided(before, commanded, [speed(&given.side, &given.omega), acceleration]);
+    let (state, past) = control.decided(before, known.seen()?);
     let jumped = state != before.0;
     if jumped {
         *known.regulating() = Some(state);

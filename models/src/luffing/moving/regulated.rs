@@ -2,14 +2,14 @@
 //! its own, and its moment follows from these and from the drive's speed at every instant.
 
 use crate::kernel::group::One;
-use crate::luffing::moving::control::continuous::{Laws, ordered, until, winding};
+use crate::luffing::moving::control::continuous::{Laws, ordered, seen, until, winding};
 use crate::luffing::moving::control::{AXES, ByAxis};
 use crate::luffing::moving::crane::{Commands, CraneState, Hangs, MOST_CHANGES, MovingCrane, Struck};
 use crate::luffing::moving::driven::{Commanded, Slopes};
 use crate::luffing::moving::level::{Ahead, CraneAt, Level, Onward, first, put};
 use crate::luffing::moving::space;
 use crate::parts::control::SpeedControl;
-use crate::parts::control::continuous::{Ordered, Regime};
+use crate::parts::control::continuous::{Ordered, Seen};
 use crate::parts::solver::pieces::{self, Pieces};
 use crate::parts::solver::{Count, Halt};
 
@@ -66,6 +66,17 @@ impl<const N: usize, const J: usize> Regulated<N, J> {
     }
 }
 
+/// Places of luffing, slewing and hoist in a crane's states, with their speeds.
+fn places<const N: usize, const J: usize>(y: &[f64; N]) -> [[f64; 2]; AXES.len()]
+where
+    MovingCrane<N, J>: Struck<N, J>,
+{
+    let [luffing, slewing, hoist] = speeds::<N, J>(y);
+    let turned = MovingCrane::<N, J>::slewed(y).unwrap_or(0.0);
+    let rope = y[<MovingCrane<N, J> as Hangs<N, J, f64>>::LENGTH];
+    [[y[0], luffing], [turned, slewing], [rope, hoist]]
+}
+
 /// What speeds of luffing, slewing and hoist are in a crane's states, or their accelerations in its rates.
 fn speeds<const N: usize, const J: usize>(y: &[f64; N]) -> [f64; AXES.len()]
 where
@@ -79,19 +90,20 @@ where
 struct Under<'a, const N: usize, const J: usize> {
     commanded: Commanded<'a, N, J>,
     control: &'a ByAxis<SpeedControl>,
-    speeds: &'a ByAxis<One<f64>>,
+    asked: &'a ByAxis<One<f64>>,
 }
 
 impl<const N: usize, const J: usize> Under<'_, N, J>
 where
     MovingCrane<N, J>: Struck<N, J>,
 {
-    /// What is commanded at a time since the start, in s.
-    fn speeds(&self, time: f64, past: &ByAxis<Regime>) -> ByAxis<One<f64>> {
-        ByAxis(std::array::from_fn(|i| {
-            let One(symbol, speed) = self.speeds.0[i]?;
-            Some(One(symbol, speed + past.0[i]?.slope * time))
-        }))
+    /// What the controllers see at a time since the start (s), where the crane moves so.
+    fn seen(&self, time: f64, at: &Regulated<N, J>, moves: &[f64; N]) -> [Option<Seen<f64>>; AXES.len()] {
+        let commanded = ByAxis(std::array::from_fn(|i| {
+            let One(symbol, command) = self.asked.0[i]?;
+            Some(One(symbol, command + at.laws.past.0[i]?.slope * time))
+        }));
+        seen(&commanded, places::<N, J>(&at.crane.y), speeds::<N, J>(moves))
     }
 
     /// What the controllers give, and all commands with it, at a time since the start, in s.
@@ -116,14 +128,12 @@ where
     /// What the controllers decide at an instant.
     fn decide(&self, time: f64, at: &mut Regulated<N, J>) -> Result<(), Halt> {
         let (_, commands) = self.given(time, at);
-        let accelerations = speeds::<N, J>(&self.moves(time, at, &commands).ok_or(Halt::Outside)?);
-        let moving = speeds::<N, J>(&at.crane.y);
-        let commanded = self.speeds(time, &at.laws.past);
+        let seen = self.seen(time, at, &self.moves(time, at, &commands).ok_or(Halt::Outside)?);
         let Laws { states, past } = &mut at.laws;
         for (i, (state, past)) in states.0.iter_mut().zip(&mut past.0).enumerate() {
-            let all = (self.control.0[i].as_ref().zip(commanded.0[i])).zip(state.as_mut().zip(past.as_mut()));
-            if let Some(((control, One(_, commanded)), (state, past))) = all {
-                (*state, *past) = control.decided((*state, *past), commanded, [moving[i], accelerations[i]]);
+            let all = (self.control.0[i].as_ref().zip(seen[i])).zip(state.as_mut().zip(past.as_mut()));
+            if let Some(((control, seen), (state, past))) = all {
+                (*state, *past) = control.decided((*state, *past), &seen);
             }
         }
         Ok(())
@@ -142,7 +152,8 @@ where
         let at = state.at(y);
         let (found, commands) = self.given(time, &at);
         let moves = self.moves(time, &at, &commands)?;
-        let winding = winding(self.control, &at.laws.past, &found, speeds::<N, J>(&moves));
+        let seen = self.seen(time, &at, &moves);
+        let winding = winding(self.control, &at.laws.past, &found, &seen);
         let mut rates = [0.0; MOST];
         rates[..N].copy_from_slice(&moves);
         for (rates, winding) in rates[N..].chunks_exact_mut(2).zip(winding) {
@@ -166,13 +177,8 @@ where
             return true;
         };
         let (states, past) = (&at.laws.states, &at.laws.past);
-        let until = until(
-            self.control,
-            &self.speeds(time, past),
-            (states, past),
-            &found,
-            speeds::<N, J>(&moves),
-        );
+        let seen = self.seen(time, &at, &moves);
+        let until = until(self.control, (states, past), &found, &seen);
         until.into_iter().flatten().any(|z| pieces::crossed(Some(z)))
     }
 
@@ -213,7 +219,7 @@ where
             slopes: slopes.as_ref(),
         },
         control: &regulators.control,
-        speeds: &regulators.commanded,
+        asked: &regulators.commanded,
     };
     let mut state = Regulated::new(at.past.crane(first(&at.y)), regulators.laws);
     let work = match on {

@@ -1,6 +1,7 @@
 //! A controller that is not sampled: the law of [`SpeedControl::sample`] as its cycle goes to zero. Set point and integral of the
-//! error are states. The set point goes to its command at its greatest acceleration and stays there: where the command holds,
-//! which acts at events only, and where it goes straight from value to value, no faster than that.
+//! error are states. The set point goes to what is asked for at its greatest acceleration and stays there: where a command holds,
+//! which acts at events only, where it goes straight from value to value, and where a place asks for a speed by what is left to
+//! it, no faster than that.
 //!
 //! At the limit the sampled rule, by which the integral waits while the error asks for more, has three limits: it waits; it
 //! falls, since the error asks for less; or it would wait and go on by turns, and then it keeps the moment that is asked for at
@@ -15,6 +16,9 @@ use crate::parts::joint::{LOOSE, above_zero};
 /// How far from its limit, as a part of it, a moment may be found where an importer has located that it meets it.
 const NEAR: f64 = 1e-6;
 
+/// How far from the speed that a place asks for, as a part of the greater one, a set point that follows it may be found.
+const CLOSE: f64 = 1e-6;
+
 /// How far from its command, as a part of it or of what it was at the last event, a set point that has followed it may be found.
 const THERE: f64 = 1e-12;
 
@@ -23,7 +27,8 @@ const THERE: f64 = 1e-12;
 pub struct ContinuousAxis {
     /// Set point, and integral of the error.
     pub states: [&'static Symbol; 2],
-    /// Command to which the set point goes and its rate, which way it goes there, and how the limit has the moment.
+    /// Command to which the set point goes and its rate, which way it goes there or how it follows, and how the limit has the
+    /// moment.
     pub past: [&'static Symbol; 4],
     /// Error, and moment asked for.
     pub law: [&'static Symbol; 2],
@@ -43,11 +48,11 @@ pub struct Regulating<C = f64> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Regime<C = f64> {
     pub axis: &'static ContinuousAxis,
-    /// Command to which the set point goes, as it was at the last event.
+    /// Command to which the set point goes, a speed or a place, as it was at the last event.
     pub target: C,
     /// Its rate, where it goes straight from value to value.
     pub slope: C,
-    /// 1, −1, or 0 where it is there.
+    /// 1, −1, or where it is there 0, and of a place another number of [`Approach`].
     pub way: C,
     /// How the limit has the moment: 0 within it, else a number with the sign of the moment.
     pub hold: C,
@@ -115,6 +120,45 @@ impl Hold {
     }
 }
 
+/// What the speed that a place asks for follows from, where the set point follows it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Approach {
+    /// The greatest one.
+    Fastest,
+    /// From which it can stop there.
+    Stops,
+    /// In proportion to what is left.
+    Settles,
+}
+
+impl Approach {
+    fn of(number: f64) -> Option<Approach> {
+        match number {
+            0.0 => Some(Approach::Fastest),
+            2.0 => Some(Approach::Stops),
+            3.0 => Some(Approach::Settles),
+            _ => None,
+        }
+    }
+
+    fn number(self) -> f64 {
+        match self {
+            Approach::Fastest => 0.0,
+            Approach::Stops => 2.0,
+            Approach::Settles => 3.0,
+        }
+    }
+}
+
+/// What it sees: command, place and speed of its axis, and the acceleration of that.
+#[derive(Clone, Copy, Debug)]
+pub struct Seen<C> {
+    pub commanded: C,
+    pub place: C,
+    pub speed: C,
+    pub acceleration: C,
+}
+
 /// What it gives now.
 #[derive(Clone, Copy, Debug)]
 pub struct Ordered<C> {
@@ -128,7 +172,8 @@ pub struct Ordered<C> {
 impl Regulating {
     /// With a set point and no moment yet, and that nothing has happened.
     #[must_use]
-    pub fn steady(axis: &'static ContinuousAxis, set: f64) -> (Regulating, Regime) {
+    pub fn steady(control: &SpeedControl, set: f64) -> (Regulating, Regime) {
+        let axis = control.axis.continuous[usize::from(control.approach.is_some())];
         let state = Regulating {
             axis,
             set,
@@ -159,46 +204,77 @@ impl<C: Calc> SpeedControl<C> {
     }
 
     /// Rate of the set point.
-    fn moves(&self, past: &Regime<C>) -> C {
-        match past.way.value() {
-            0.0 if past.slope.value() == 0.0 => C::constant(0.0),
-            0.0 => past.slope,
-            way => C::constant(way) * self.ramp,
+    fn moves(&self, past: &Regime<C>, seen: &Seen<C>) -> C {
+        match (past.way.value(), self.approach) {
+            (way, Some(approach)) if Approach::of(way).is_some() => self.follows(approach, way, past.slope, seen),
+            (0.0, _) if past.slope.value() == 0.0 => C::constant(0.0),
+            (0.0, _) => past.slope,
+            (way, _) => C::constant(way) * self.ramp,
         }
     }
 
-    /// Rate of the error, where what it regulates has an acceleration.
-    fn drifts(&self, past: &Regime<C>, acceleration: C) -> C {
-        self.error(self.moves(past), acceleration)
+    /// Rate of the speed that a place asks for, by what that follows from: 0, a ė_x/|v_w| or K_x ė_x, where ė_x = ẋ_c − v.
+    fn follows(&self, approach @ [k, _]: [C; 2], way: f64, slope: C, seen: &Seen<C>) -> C {
+        let wanted = self.wanted(approach, seen.commanded, seen.place);
+        let closes = if slope.value() == 0.0 {
+            -seen.speed
+        } else {
+            slope - seen.speed
+        };
+        match Approach::of(way) {
+            Some(Approach::Stops) => self.ramp * closes / wanted.abs(),
+            Some(Approach::Settles) => k * closes,
+            _ => C::constant(0.0),
+        }
     }
 
-    /// Rates of set point and integral: ±a, or that of the command; e, or 0 where it waits, or −K_p ė/K_i where it keeps the moment
-    /// at the limit.
-    pub fn winding(&self, past: &Regime<C>, ordered: &Ordered<C>, acceleration: C) -> [C; 2] {
+    /// How far what a followed speed follows from is below what else limits it, and its rate below the ramp: the lesser part.
+    fn follows_on(&self, approach @ [k, most]: [C; 2], way: f64, slope: C, seen: &Seen<C>) -> C {
+        let far = (seen.commanded - seen.place).abs();
+        let (near, stops) = (k * far, (C::constant(2.0) * self.ramp * far).sqrt());
+        let lesser = |a: C, b: C| if b.value() < a.value() { b } else { a };
+        let room = match Approach::of(way) {
+            Some(Approach::Settles) => lesser(stops, most) - near,
+            Some(Approach::Stops) => lesser(near, most) - stops,
+            _ => lesser(near, stops) - most,
+        };
+        let quick = self.ramp - self.follows(approach, way, slope, seen).abs();
+        lesser(room / most, quick / self.ramp)
+    }
+
+    /// Rate of the error, where what it regulates has an acceleration.
+    fn drifts(&self, past: &Regime<C>, seen: &Seen<C>) -> C {
+        self.error(self.moves(past, seen), seen.acceleration)
+    }
+
+    /// Rates of set point and integral: ±a, or that of what is asked for; e, or 0 where it waits, or −K_p ė/K_i where it keeps the
+    /// moment at the limit.
+    pub fn winding(&self, past: &Regime<C>, ordered: &Ordered<C>, seen: &Seen<C>) -> [C; 2] {
         let [proportional, integral] = self.gains;
         let grows = match Hold::of(past.hold.value()) {
             Hold::Free | Hold::Falls(_) => ordered.error,
             Hold::Waits(_) => C::constant(0.0),
-            Hold::Stays(_) => -(proportional / integral) * self.drifts(past, acceleration),
+            Hold::Stays(_) => -(proportional / integral) * self.drifts(past, seen),
         };
-        [self.moves(past), grows]
+        [self.moves(past, seen), grows]
     }
 
-    /// Fall below zero where the set point is at its command (or that is another), the moment meets or leaves its limit, and
-    /// where what the integral does there ends otherwise.
+    /// Fall below zero where the set point is at what is asked for (or the command is another) or cannot follow that as it did, the
+    /// moment meets or leaves its limit, and where what the integral does there ends otherwise.
     pub fn regulates_until(
         &self,
         state: &Regulating<C>,
         past: &Regime<C>,
-        commanded: C,
         ordered: &Ordered<C>,
-        acceleration: C,
+        seen: &Seen<C>,
     ) -> [C; 3] {
         let one = C::constant(1.0);
-        let ramp = match past.way.value() {
-            _ if past.slope.value() == 0.0 && commanded.value() != past.target.value() => -one,
-            0.0 => one,
-            way => C::constant(way) * (commanded - state.set),
+        let ramp = match (past.way.value(), self.approach) {
+            _ if past.slope.value() == 0.0 && seen.commanded.value() != past.target.value() => -one,
+            (way, Some(approach)) if Approach::of(way).is_some() => self.follows_on(approach, way, past.slope, seen),
+            (way, Some(approach)) => C::constant(way) * (self.wanted(approach, seen.commanded, seen.place) - state.set),
+            (0.0, None) => one,
+            (way, None) => C::constant(way) * (seen.commanded - state.set),
         };
         let [limit, wind] = match Hold::of(past.hold.value()) {
             Hold::Free => [self.limit - ordered.asked, self.limit + ordered.asked],
@@ -211,7 +287,7 @@ impl<C: Calc> SpeedControl<C> {
                 [sign * ordered.asked - self.limit, -(sign * ordered.error)]
             }
             Hold::Stays(sign) => {
-                let (sign, drift) = (C::constant(sign), self.drifts(past, acceleration));
+                let (sign, drift) = (C::constant(sign), self.drifts(past, seen));
                 let freely = self.gains[0] * drift + self.gains[1] * ordered.error;
                 [sign * freely, -(sign * drift)]
             }
@@ -224,13 +300,49 @@ impl SpeedControl {
     /// What follows at an event: where the set point goes, and how the limit has the moment. A state that is located where it
     /// meets something is put there.
     #[must_use]
-    pub fn decided(
-        &self,
-        (state, past): (Regulating, Regime),
-        commanded: f64,
-        [speed, acceleration]: [f64; 2],
-    ) -> (Regulating, Regime) {
+    pub fn decided(&self, (state, past): (Regulating, Regime), seen: &Seen<f64>) -> (Regulating, Regime) {
         let (mut state, mut past) = (state, past);
+        match self.approach {
+            Some(approach) => self.approaches(approach, &mut state, &mut past, seen),
+            None => self.goes(&mut state, &mut past, seen.commanded),
+        }
+        let ordered = self.order(&state, &past, seen.speed);
+        let (hold, to) = self.held(Hold::of(past.hold), &ordered, self.drifts(&past, seen));
+        past.hold = hold.number();
+        if let Some(moment) = to {
+            state.integral = (moment - self.gains[0] * ordered.error) / self.gains[1];
+        }
+        (state, past)
+    }
+
+    /// Where the set point goes that a place asks for: there, at its greatest acceleration; then with it, as long as that changes
+    /// no faster.
+    fn approaches(&self, approach @ [k, most]: [f64; 2], state: &mut Regulating, past: &mut Regime, seen: &Seen<f64>) {
+        let wanted = self.wanted(approach, seen.commanded, seen.place);
+        let left = wanted - state.set;
+        past.target = seen.commanded;
+        past.way = way(left);
+        if left.abs() > CLOSE * wanted.abs().max(state.set.abs()) {
+            return;
+        }
+        state.set = wanted;
+        let far = (seen.commanded - seen.place).abs();
+        let stops = (2.0 * self.ramp * far).sqrt();
+        let follows = match (k * far, stops) {
+            (near, stops) if near <= stops && near <= most => Approach::Settles,
+            (_, stops) if stops <= most => Approach::Stops,
+            _ => Approach::Fastest,
+        };
+        let rate = self.follows(approach, follows.number(), past.slope, seen);
+        past.way = if rate.abs() > self.ramp {
+            way(rate)
+        } else {
+            follows.number()
+        };
+    }
+
+    /// Where the set point goes that a speed is commanded to.
+    fn goes(&self, state: &mut Regulating, past: &mut Regime, commanded: f64) {
         let (left, steady) = (commanded - state.set, past.slope == 0.0);
         let other = steady && commanded != past.target;
         let size = commanded.abs().max(state.set.abs()).max(past.target.abs());
@@ -249,13 +361,6 @@ impl SpeedControl {
         } else if other || past.way == 0.0 {
             past.way = way(left);
         }
-        let ordered = self.order(&state, &past, speed);
-        let (hold, to) = self.held(Hold::of(past.hold), &ordered, self.drifts(&past, acceleration));
-        past.hold = hold.number();
-        if let Some(moment) = to {
-            state.integral = (moment - self.gains[0] * ordered.error) / self.gains[1];
-        }
-        (state, past)
     }
 
     /// How the limit has the moment after it was had so, under a rate of the error; and the moment to put it at, if any.
@@ -286,12 +391,13 @@ impl SpeedControl {
         }
     }
 
-    /// The shorter one of J/K_p and √(J/K_i) of an inertia (kg·m²), in s: how quick the speed is under it; `None` of one that is
-    /// sampled.
+    /// The shortest of J/K_p and √(J/K_i) of an inertia (kg·m²) and, to a place, 1/K_x, in s: how quick the speed is under it; `None`
+    /// of one that is sampled.
     #[must_use]
     pub fn quickest(&self, inertia: f64) -> Option<f64> {
         let [proportional, integral] = self.gains;
-        let quickest = (inertia / proportional).min((inertia / integral).sqrt());
+        let settles = self.approach.map_or(f64::INFINITY, |[k, _]| 1.0 / k);
+        let quickest = (inertia / proportional).min((inertia / integral).sqrt()).min(settles);
         self.cycle.is_none().then_some(quickest)
     }
 }

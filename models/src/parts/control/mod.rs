@@ -6,6 +6,7 @@ use crate::kernel::calc::Calc;
 use crate::kernel::group::{One, by_map};
 use crate::kernel::number::short;
 use crate::kernel::symbol::Symbol;
+use crate::parts::control::continuous::ContinuousAxis;
 
 pub mod continuous;
 pub mod reading;
@@ -27,6 +28,8 @@ pub struct DriveAxis {
     pub drive: &'static Symbol,
     /// A positive moment turns it backwards.
     pub reversed: bool,
+    /// What it is without a cycle, its speed or its place commanded.
+    pub continuous: [&'static ContinuousAxis; 2],
 }
 
 /// What a controller is set to.

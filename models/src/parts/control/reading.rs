@@ -5,20 +5,6 @@ use crate::kernel::group::One;
 use crate::kernel::schema::Values;
 use crate::parts::control::{DriveAxis, SpeedControl};
 
-/// Refuses a commanded place, to which only samples go.
-fn without_cycle(axis: &DriveAxis, table: &Values) -> Diagnostic {
-    let ([speed, place], [_, _, cycle, ..]) = (axis.commands, axis.settings);
-    let what = format!(
-        "{} without {}: a continuous controller goes to no place",
-        place.id, cycle.id
-    );
-    let help = format!(
-        "add {} = \"20 ms\", from one look at the place to the next; or command {}",
-        cycle.id, speed.id
-    );
-    table.refuse(place.id, what, "only of a sampled controller", help)
-}
-
 /// The table of a scene whose drive has a controller, within that of the drive.
 pub const TABLE: &str = "control";
 
@@ -26,7 +12,7 @@ impl SpeedControl {
     /// The controller of a table with its command, beside the table of the drive; `None` where there is none.
     ///
     /// # Errors
-    /// Two commands, an approach that is not whole, a moment beside it, a place without a cycle.
+    /// Two commands, an approach that is not whole, a moment beside it.
     pub fn read(
         axis: &'static DriveAxis,
         of: &Values,
@@ -67,9 +53,6 @@ impl SpeedControl {
             });
         }
         let command = if to_place { place } else { speed };
-        if to_place && !table.stands(axis.settings[2].id) {
-            return Err(without_cycle(axis, table));
-        }
         let whole = || {
             let [k_p, k_i, cycle, ramp, limit] = axis.settings.map(|symbol| table.of(symbol));
             if cycle.is_none() && table.stands(axis.settings[2].id) {

@@ -10,11 +10,8 @@ use crate::luffing::moving::given::{CraneStates, Fitted, rates};
 use crate::luffing::moving::stages::CraneMoves;
 use crate::luffing::moving::symbols as m;
 use crate::parts::control::SpeedControl;
-use crate::parts::control::continuous::{ContinuousAxis, Ordered, Regime, Regulating};
+use crate::parts::control::continuous::{Ordered, Regime, Regulating, Seen};
 use crate::parts::turntable_control as turning;
-
-/// What they are called, in the order of [`AXES`].
-static CONTINUOUS: [&ContinuousAxis; AXES.len()] = [&luffing::CONTINUOUS, &turning::CONTINUOUS, &hoist::CONTINUOUS];
 
 /// What controllers hold, and what happened to them before.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,10 +24,7 @@ impl Laws {
     /// Where nothing has happened yet, at speeds of luffing, slewing and hoist.
     #[must_use]
     pub fn steady(control: &ByAxis<SpeedControl>, speeds: [f64; AXES.len()]) -> Laws {
-        let all: [_; AXES.len()] = std::array::from_fn(|i| {
-            control.0[i]?;
-            Some(Regulating::steady(CONTINUOUS[i], speeds[i]))
-        });
+        let all: [_; AXES.len()] = std::array::from_fn(|i| Some(Regulating::steady(control.0[i].as_ref()?, speeds[i])));
         Laws {
             states: ByAxis(all.map(|axis| axis.map(|(state, _)| state))),
             past: ByAxis(all.map(|axis| axis.map(|(_, past)| past))),
@@ -135,11 +129,12 @@ pub fn regulated<C: Calc>(
     moves: &CraneMoves<C>,
     fitted: &Fitted,
 ) -> RegulatedDrives<C> {
-    let speeds = places(theta, omega, states).map(|[_, speed]| speed);
+    let places = places(theta, omega, states);
     let accelerations = rates(fitted).map(|rate| rate.map_or(C::constant(0.0), |rate| moves.of(rate)));
-    let found = ordered(control, (regulating, regime), speeds);
-    let winding = winding(control, regime, &found, accelerations);
-    let until = until(control, commanded, (regulating, regime), &found, accelerations);
+    let seen = seen(commanded, places, accelerations);
+    let found = ordered(control, (regulating, regime), places.map(|[_, speed]| speed));
+    let winding = winding(control, regime, &found, &seen);
+    let until = until(control, (regulating, regime), &found, &seen);
     RegulatedDrives(std::array::from_fn(|i| {
         let (ordered, [set, integral], [ramp, limit, wind]) = (found[i]?, winding[i]?, until[i]?);
         let Ordered { error, asked, moment } = ordered;
@@ -163,30 +158,46 @@ pub fn ordered<C: Calc>(
     })
 }
 
-/// Rates of set points and integrals, under accelerations of luffing, slewing and hoist.
+/// What they see: commands, places with speeds, and accelerations of luffing, slewing and hoist.
+pub fn seen<C: Calc>(
+    commanded: &ByAxis<One<C>>,
+    places: [[C; 2]; AXES.len()],
+    accelerations: [C; AXES.len()],
+) -> [Option<Seen<C>>; AXES.len()] {
+    std::array::from_fn(|i| {
+        let [place, speed] = places[i];
+        Some(Seen {
+            commanded: commanded.0[i].as_ref()?.1,
+            place,
+            speed,
+            acceleration: accelerations[i],
+        })
+    })
+}
+
+/// Rates of set points and integrals.
 pub fn winding<C: Calc>(
     control: &ByAxis<SpeedControl<C>>,
     past: &ByAxis<Regime<C>>,
     ordered: &[Option<Ordered<C>>; AXES.len()],
-    accelerations: [C; AXES.len()],
+    seen: &[Option<Seen<C>>; AXES.len()],
 ) -> [Option<[C; 2]>; AXES.len()] {
     std::array::from_fn(|i| {
         let control = control.0[i].as_ref()?;
-        Some(control.winding(past.0[i].as_ref()?, ordered[i].as_ref()?, accelerations[i]))
+        Some(control.winding(past.0[i].as_ref()?, ordered[i].as_ref()?, seen[i].as_ref()?))
     })
 }
 
-/// What falls below zero where a smooth piece of their laws ends, under such accelerations.
+/// What falls below zero where a smooth piece of their laws ends.
 pub fn until<C: Calc>(
     control: &ByAxis<SpeedControl<C>>,
-    commanded: &ByAxis<One<C>>,
     (states, past): (&ByAxis<Regulating<C>>, &ByAxis<Regime<C>>),
     ordered: &[Option<Ordered<C>>; AXES.len()],
-    accelerations: [C; AXES.len()],
+    seen: &[Option<Seen<C>>; AXES.len()],
 ) -> [Option<[C; 3]>; AXES.len()] {
     std::array::from_fn(|i| {
-        let (control, commanded) = (control.0[i].as_ref()?, commanded.0[i].as_ref()?.1);
+        let (control, seen) = (control.0[i].as_ref()?, seen[i].as_ref()?);
         let (state, past) = (states.0[i].as_ref()?, past.0[i].as_ref()?);
-        Some(control.regulates_until(state, past, commanded, ordered[i].as_ref()?, accelerations[i]))
+        Some(control.regulates_until(state, past, ordered[i].as_ref()?, seen))
     })
 }

@@ -22,7 +22,7 @@ symbols! {
     V_SH: "v_sh" "v_\"s h\"" M_PER_S / M_PER_S, "Set point of the hoist controller since its last sample.", "derived";
     M_IH: "M_ih" "M_\"i h\"" N_M / KN_M, "Integral part of the moment since the last sample of the hoist controller.", "derived";
     M_HH: "M_hh" "M_\"h h\"" N_M / KN_M, "Moment that the hoist controller holds since its last sample.", "derived";
-    E_LH: "e_lh" "e_(l h)" M / M, "Length that is left to the commanded length of the rope at a sample.", "derived";
+    E_LH: "e_lh" "e_(l h)" M / M, "Length that is left to the commanded length of the rope.", "derived";
     V_WH: "v_wh" "v_\"w h\"" M_PER_S / M_PER_S, "Speed at which the hoist goes to its commanded length of rope: from it the set point's acceleration stops it there.", "derived";
     V_NH: "v_nh" "v_\"n h\"" M_PER_S / M_PER_S, "Set point of the hoist controller from this sample to the next.", "derived";
     E_NH: "e_nh" "e_\"n h\"" M_PER_S / M_PER_S, "Error of the rope's speed at a sample; positive where the load is to be lifted faster.", "derived";
@@ -36,7 +36,9 @@ symbols! {
     D_EPSILON_H: "der(epsilon_rh)" "dot(epsilon)_\"r h\"" M_PER_S / M_PER_S, "Rate of the integral of the error of the hoist: that error, unless the limit of the moment holds the integral.", "derived";
     V_T_H: "v_th" "v_\"t h\"" M_PER_S / M_PER_S, "Commanded speed to which the set point of the continuous hoist controller is going.", "state";
     D_V_CH: "der(v_ch)" "dot(v)_\"c h\"" M_PER_S2 / M_PER_S2, "Rate of the commanded hoisting speed, where that goes straight from value to value.", "derived";
-    WAY_R_H: "way_rh" "w_\"r h\"" ONE / ONE, "Whether the set point of the continuous hoist controller is at its command (0), or which way it goes (1, -1).", "state";
+    L_T_H: "l_th" "l_\"t h\"" M / M, "Commanded length of the rope to which the continuous hoist controller is going.", "state";
+    D_L_CH: "der(l_ch)" "dot(l)_\"c h\"" M_PER_S / M_PER_S, "Rate of the commanded length of the rope, where that goes straight from value to value.", "derived";
+    WAY_R_H: "way_rh" "w_\"r h\"" ONE / ONE, "Whether the set point of the continuous hoist controller is at its command (0), or which way it goes (1, -1); how it follows the speed that a commanded place asks for: the greatest (0), from which it stops there (2), in proportion to what is left (3).", "state";
     HOLD_H: "hold_h" "l_\"h\"" ONE / ONE, "Whether the moment of the continuous hoist controller is within its limit (0), or at it, with the sign of the moment: the integral waits (1), falls (2), keeps the moment at the limit (3).", "state";
     Z_H_RAMP: "z.hoist_ramp" "z_30" ONE / ONE, "Falls below zero where the set point of the continuous hoist controller reaches its command.", "event";
     Z_H_LIMIT: "z.hoist_limit" "z_31" ONE / ONE, "Falls below zero where the moment that the continuous hoist controller asks for meets its limit or comes back within it.", "event";
@@ -51,12 +53,20 @@ pub static AXIS: DriveAxis = DriveAxis {
     sample: [&E_LH, &V_WH, &V_NH, &E_NH, &M_AH, &M_INH, &M_NH],
     drive: &M_M_H,
     reversed: true,
+    continuous: [&CONTINUOUS, &TO_PLACE],
 };
 
 /// What it is without a cycle.
 pub static CONTINUOUS: ContinuousAxis = ContinuousAxis {
     states: [&V_R_H, &EPSILON_H],
     past: [&V_T_H, &D_V_CH, &WAY_R_H, &HOLD_H],
+    law: [&E_R_H, &M_AH],
+};
+
+/// The same where its place is commanded.
+pub static TO_PLACE: ContinuousAxis = ContinuousAxis {
+    states: [&V_R_H, &EPSILON_H],
+    past: [&L_T_H, &D_L_CH, &WAY_R_H, &HOLD_H],
     law: [&E_R_H, &M_AH],
 };
 

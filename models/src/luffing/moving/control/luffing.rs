@@ -22,7 +22,7 @@ symbols! {
     OMEGA_S_A: "omega_sA" "omega_\"s A\"" RAD_PER_S / DEG_PER_S, "Set point of the luffing controller since its last sample.", "derived";
     M_I_A: "M_iA" "M_\"i A\"" N_M / KN_M, "Integral part of the moment since the last sample of the luffing controller.", "derived";
     M_H_A: "M_hA" "M_\"h A\"" N_M / KN_M, "Moment that the luffing controller holds since its last sample.", "derived";
-    E_THETA_A: "e_thetaA" "e_(theta A)" RAD / DEG, "Angle that is left to the commanded angle of the driving link at a sample.", "derived";
+    E_THETA_A: "e_thetaA" "e_(theta A)" RAD / DEG, "Angle that is left to the commanded angle of the driving link.", "derived";
     OMEGA_W_A: "omega_wA" "omega_\"w A\"" RAD_PER_S / DEG_PER_S, "Angular velocity at which luffing goes to its commanded angle: from it the set point's acceleration stops it there.", "derived";
     OMEGA_N_A: "omega_nA" "omega_\"n A\"" RAD_PER_S / DEG_PER_S, "Set point of the luffing controller from this sample to the next.", "derived";
     E_N_A: "e_nA" "e_\"n A\"" RAD_PER_S / DEG_PER_S, "Error of the angular velocity of the driving link at a sample.", "derived";
@@ -36,7 +36,9 @@ symbols! {
     D_EPSILON_A: "der(epsilon_rA)" "dot(epsilon)_\"r A\"" RAD_PER_S / DEG_PER_S, "Rate of the integral of the error of luffing: that error, unless the limit of the moment holds the integral.", "derived";
     OMEGA_T_A: "omega_tA" "omega_\"t A\"" RAD_PER_S / DEG_PER_S, "Commanded angular velocity to which the set point of the continuous luffing controller is going.", "state";
     D_OMEGA_C_A: "der(omega_cA)" "dot(omega)_\"c A\"" RAD_PER_S2 / RAD_PER_S2, "Rate of the commanded angular velocity of luffing, where that goes straight from value to value.", "derived";
-    WAY_R_A: "way_rA" "w_\"r A\"" ONE / ONE, "Whether the set point of the continuous luffing controller is at its command (0), or which way it goes (1, -1).", "state";
+    THETA_T_A: "theta_tA" "theta_\"t A\"" RAD / DEG, "Commanded angle to which the continuous luffing controller is going.", "state";
+    D_THETA_C_A: "der(theta_cA)" "dot(theta)_\"c A\"" RAD_PER_S / DEG_PER_S, "Rate of the commanded angle of the driving link, where that goes straight from value to value.", "derived";
+    WAY_R_A: "way_rA" "w_\"r A\"" ONE / ONE, "Whether the set point of the continuous luffing controller is at its command (0), or which way it goes (1, -1); how it follows the speed that a commanded place asks for: the greatest (0), from which it stops there (2), in proportion to what is left (3).", "state";
     HOLD_A: "hold_A" "l_\"A\"" ONE / ONE, "Whether the moment of the continuous luffing controller is within its limit (0), or at it, with the sign of the moment: the integral waits (1), falls (2), keeps the moment at the limit (3).", "state";
     Z_A_RAMP: "z.luffing_ramp" "z_27" ONE / ONE, "Falls below zero where the set point of the continuous luffing controller reaches its command.", "event";
     Z_A_LIMIT: "z.luffing_limit" "z_28" ONE / ONE, "Falls below zero where the moment that the continuous luffing controller asks for meets its limit or comes back within it.", "event";
@@ -51,12 +53,20 @@ pub static AXIS: DriveAxis = DriveAxis {
     sample: [&E_THETA_A, &OMEGA_W_A, &OMEGA_N_A, &E_N_A, &M_A_A, &M_IN_A, &M_N_A],
     drive: &M_A,
     reversed: false,
+    continuous: [&CONTINUOUS, &TO_PLACE],
 };
 
 /// What it is without a cycle.
 pub static CONTINUOUS: ContinuousAxis = ContinuousAxis {
     states: [&OMEGA_R_A, &EPSILON_A],
     past: [&OMEGA_T_A, &D_OMEGA_C_A, &WAY_R_A, &HOLD_A],
+    law: [&E_R_A, &M_A_A],
+};
+
+/// The same where its place is commanded.
+pub static TO_PLACE: ContinuousAxis = ContinuousAxis {
+    states: [&OMEGA_R_A, &EPSILON_A],
+    past: [&THETA_T_A, &D_THETA_C_A, &WAY_R_A, &HOLD_A],
     law: [&E_R_A, &M_A_A],
 };
 
