@@ -146,8 +146,8 @@ fn controls(n: &mut Node, inertia: f64) {
         [start - 1.0, start + 1.0],
         cycle,
     );
-    // A commanded speed may be followed without samples.
-    if control.has("omega_csl") && control.draw.coin(0.5) {
+    // What is commanded may be followed without samples.
+    if control.draw.coin(0.5) {
         control.remove(&["T_csl"]);
     }
     n.remove(&[SLEWING.moment]);

@@ -144,7 +144,7 @@ impl Component for SlewingCrane {
     fn list(given: &Given<f64>, variable: &mut Variable) -> u8 {
         let held = [&s::M_SL, &s::OMEGA_S_SL, &s::M_I_SL];
         variable.at_events = if given.regulating.is_some() {
-            variable.symbol == &s::OMEGA_C_SL
+            [&s::OMEGA_C_SL, &s::PSI_C_SL].contains(&variable.symbol)
         } else {
             given.control.is_some() && held.contains(&variable.symbol)
         };

@@ -19,8 +19,8 @@ pub use crate::parts::turntable::{
     Z_SL_REST,
 };
 pub use crate::parts::turntable_control::{
-    D_EPSILON_SL, D_OMEGA_R_SL, E_R_SL, M_A_SL, M_I_SL, OMEGA_0_SL, OMEGA_C_SL, OMEGA_S_SL, Z_SL_LIMIT, Z_SL_RAMP,
-    Z_SL_WIND, ZETA_SL,
+    D_EPSILON_SL, D_OMEGA_R_SL, E_R_SL, M_A_SL, M_I_SL, OMEGA_0_SL, OMEGA_C_SL, OMEGA_S_SL, PSI_C_SL, Z_SL_LIMIT,
+    Z_SL_RAMP, Z_SL_WIND, ZETA_SL,
 };
 
 symbols! {

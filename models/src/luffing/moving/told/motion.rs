@@ -17,8 +17,8 @@ use crate::kernel::record::record;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Role;
 use crate::luffing::moving::carried;
-use crate::luffing::moving::control::ByAxis;
 use crate::luffing::moving::control::continuous::REGULATION;
+use crate::luffing::moving::control::{AXES, ByAxis};
 use crate::luffing::moving::given::{INPUTS, STATES};
 use crate::luffing::moving::hydraulic::CREEP;
 use crate::luffing::moving::luffs::Luffs;
@@ -367,7 +367,8 @@ fn law<T: Shown>(model: &MovingComponent, sampled: bool) -> Section {
     trace.steps.retain(|step| {
         let first = !seen.contains(&step.symbol);
         seen.push(step.symbol);
-        sampled || (first && REGULATION.contains(&step.symbol))
+        let approaches = || AXES.iter().any(|axis| axis.sample[..2].contains(&step.symbol));
+        sampled || (first && (REGULATION.contains(&step.symbol) || approaches()))
     });
     Section {
         id,
