@@ -913,7 +913,7 @@ fn each_control(n: &mut Node, act: &mut dyn FnMut(&mut Node, &Axis)) {
     }
 }
 
-/// Controllers that all follow speeds may do so without samples, and then not as quickly.
+/// Controllers may do without samples, all of them, and then not as quickly.
 fn unsampled(n: &mut Node) {
     if n.draw.coin(0.5) {
         each_control(n, &mut |control, axis| {

@@ -16,7 +16,8 @@ use crate::parts::joint::{LOOSE, above_zero};
 /// How far from its limit, as a part of it, a moment may be found where an importer has located that it meets it.
 const NEAR: f64 = 1e-6;
 
-/// How far from the speed that a place asks for, as a part of the greater one, a set point that follows it may be found.
+/// How far from the speed that a place asks for, as a part of the greater one and of the greatest by as much less, a set point that
+/// follows it may be found.
 const CLOSE: f64 = 1e-6;
 
 /// How far from its command, as a part of it or of what it was at the last event, a set point that has followed it may be found.
@@ -322,7 +323,7 @@ impl SpeedControl {
         let left = wanted - state.set;
         past.target = seen.commanded;
         past.way = way(left);
-        if left.abs() > CLOSE * wanted.abs().max(state.set.abs()) {
+        if left.abs() > CLOSE * wanted.abs().max(state.set.abs()).max(CLOSE * most) {
             return;
         }
         state.set = wanted;
