@@ -3,20 +3,18 @@ constraint, energies and places from the geometry alone (`tests/oracles/luffing_
 one system of equations of all bodies; what holds it; beside oil; exact derivatives, both standards and both interfaces, the book."""
 
 import re
-from ctypes import c_double
 from math import atan2, cos, pi, radians, sin
 
 import numpy as np
 import pytest
-from fmpy import extract, read_model_description, simulate_fmu
-from fmpy.fmi3 import FMU3Model
+from fmpy import read_model_description, simulate_fmu
 from fmpy.validation import validate_fmu
 from scipy.integrate import solve_ivp
 
 from conftest import ROOT, lemnis, words
 from oracles import luffing_resistances as oracle
 from test_braked import C_V, FROM, M_F, braked
-from test_commands import ENDS, Stepped, same_bits, written
+from test_commands import ENDS, Stepped, as_told, same_bits, written
 from test_crane_wind import cylinder
 from test_control_continuous import KINDS
 from test_weather import CRANE, PINS, Outdoors
@@ -162,22 +160,8 @@ def test_pins_carry_what_leans(tmp_path, angle, rate, psi, turning):
         assert line in text
         text = text.replace(line, "")
     path = written(tmp_path, "Pins", text)["FMI 3"]
-    description = read_model_description(path)
-    references = {v.name: v.valueReference for v in description.modelVariables}
-    fmu = FMU3Model(guid=description.guid, unzipDirectory=extract(path), instanceName="one",
-                    modelIdentifier=description.modelExchange.modelIdentifier)
-    fmu.instantiate()
-    fmu.enterInitializationMode()
-    fmu.exitInitializationMode()
-    fmu.updateDiscreteStates()
-    fmu.enterContinuousTimeMode()
-    fmu.setContinuousStates((c_double * 4)(radians(angle), rate, radians(psi), turning), 4)
-    rates = (c_double * 4)()
-    fmu.getContinuousStateDerivatives(rates, 4)
     names = [*sum(PINS.values(), ()), "M_D"]
-    found = dict(zip(names, fmu.getFloat64([references[name] for name in names])))
-    fmu.terminate()
-    fmu.freeInstance()
+    rates, found = as_told(path, [radians(angle), rate, radians(psi), turning], names)
 
     phi, gaining = oracle.mpf(radians(angle)), oracle.mpf(rates[1])
     steep = oracle.mpf(GAMMA)

@@ -2,19 +2,17 @@
 areas from the geometry alone (`tests/oracles/luffing_resistances.py`), solved by SciPy; what is conserved; what pins carry by
 one system of equations of all bodies; both standards and both interfaces."""
 
-from ctypes import c_double
 from math import pi, radians
 
 import numpy as np
 import pytest
-from fmpy import extract, read_model_description, simulate_fmu
-from fmpy.fmi3 import FMU3Model
+from fmpy import simulate_fmu
 from fmpy.validation import validate_fmu
 from scipy.integrate import solve_ivp
 
 from oracles import luffing_resistances as oracle
 from test_braked import C_V, FROM, J_M, L_M, M_F, Crane, braked
-from test_commands import ENDS, Stepped, course, same_bits, written
+from test_commands import ENDS, Stepped, as_told, course, same_bits, written
 
 CRANE = oracle.DoubleLink()
 # A gust from the rear and one from the front, linear between, on a slope that grows.
@@ -176,24 +174,8 @@ def test_pins_carry_the_wind_in_motion(tmp_path, angle, rate, pressure, slope):
     """All forces of the moving bodies by one system of equations, of d'Alembert's forces, weights on the slope and wind."""
     name = "Pins"
     path = written(tmp_path, name, free(name, 'p_wm = "0 Pa"\nsigma_m = "0 deg"\n'))["FMI 3"]
-    description = read_model_description(path)
-    references = {v.name: v.valueReference for v in description.modelVariables}
-    fmu = FMU3Model(guid=description.guid, unzipDirectory=extract(path), instanceName="one",
-                    modelIdentifier=description.modelExchange.modelIdentifier)
-    fmu.instantiate()
-    fmu.enterInitializationMode()
-    fmu.exitInitializationMode()
-    for what, value in (("p_wm", pressure), ("sigma_m", radians(slope))):
-        fmu.setFloat64([references[what]], [value])
-    fmu.updateDiscreteStates()
-    fmu.enterContinuousTimeMode()
-    fmu.setContinuousStates((c_double * 2)(radians(angle), rate), 2)
-    rates = (c_double * 2)()
-    fmu.getContinuousStateDerivatives(rates, 2)
     names = [*sum(PINS.values(), ()), "M_D"]
-    found = dict(zip(names, fmu.getFloat64([references[name] for name in names])))
-    fmu.terminate()
-    fmu.freeInstance()
+    rates, found = as_told(path, [radians(angle), rate], names, {"p_wm": pressure, "sigma_m": radians(slope)})
 
     phi, turning = oracle.mpf(radians(angle)), oracle.mpf(rates[1])
     down = oracle.mpc(oracle.sin(oracle.mpf(radians(slope))), -oracle.cos(oracle.mpf(radians(slope))))
