@@ -3,9 +3,8 @@
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Values};
 use crate::kernel::symbol::{Symbol, symbols};
-use crate::parts::control::DriveAxis;
-use crate::parts::control::continuous::ContinuousAxis;
 use crate::parts::control::reading::TABLE;
+use crate::parts::control::{ContinuousAxis, DriveAxis};
 use crate::parts::turntable::M_SL;
 use crate::parts::turntable_control as s;
 

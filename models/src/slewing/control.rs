@@ -4,7 +4,7 @@ use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 use crate::kernel::variable::Fault;
-use crate::parts::control::continuous::{Ordered, Regime, Regulating, Seen};
+use crate::parts::control::continuous::{Ordered, Regime, Regulating, Sensed};
 use crate::parts::control::{Latched, SpeedControl};
 use crate::parts::turntable::Turning;
 use crate::slewing::coupling::{DriveRates, DriveSide, SlipCoupling};
@@ -58,8 +58,8 @@ pub fn seen<C: Calc>(
     omega: &One<C>,
     turned: &Turned<C>,
     coupled: Option<&DriveRates<C>>,
-) -> Seen<C> {
-    Seen {
+) -> Sensed<C> {
+    Sensed {
         commanded: commanded.1,
         place: psi.1,
         speed: speed(side, omega),
@@ -73,7 +73,12 @@ pub struct Winding<C>([C; 2]);
 results! { Winding as w => { D_OMEGA_R_SL: w.0[0]; D_EPSILON_SL: w.0[1]; } }
 
 impl<C: Calc> Winding<C> {
-    pub fn new(control: &SpeedControl<C>, past: &Regime<C>, regulation: &Regulation<C>, seen: &Seen<C>) -> Winding<C> {
+    pub fn new(
+        control: &SpeedControl<C>,
+        past: &Regime<C>,
+        regulation: &Regulation<C>,
+        seen: &Sensed<C>,
+    ) -> Winding<C> {
         let [set, integral] = control.winding(past, &regulation.0, seen);
         Winding([set.def(&s::D_OMEGA_R_SL), integral.def(&s::D_EPSILON_SL)])
     }
@@ -90,7 +95,7 @@ impl<C: Calc> ControlEvents<C> {
         state: &Regulating<C>,
         past: &Regime<C>,
         regulation: &Regulation<C>,
-        seen: &Seen<C>,
+        seen: &Sensed<C>,
     ) -> ControlEvents<C> {
         ControlEvents(control.regulates_until(state, past, &regulation.0, seen))
     }

@@ -6,7 +6,7 @@ use crate::kernel::group::{One, group};
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Variable;
 use crate::parts::air::{AirAround, Stream, WindAround};
-use crate::parts::control::continuous::{Regime, Regulating, Seen};
+use crate::parts::control::continuous::{Regime, Regulating, Sensed};
 use crate::parts::control::{Latched, SpeedControl};
 use crate::parts::hanging::HangingLoad;
 use crate::parts::joint::{Arrival, Bar, Joint};
@@ -85,7 +85,7 @@ stages! {
             motor, coupling[!], slipping[!], turning, past, stops, outer, led[?], turned, psi) => M_CD, decided;
         coupled: DriveRates<C> = DriveRates::new(
             motor, coupling[!], slipping[!], side[!], passing, turned, omega), decided;
-        seen: Seen<C> = seen(commanded[!], side, psi, omega, turned, coupled[?]) => _;
+        seen: Sensed<C> = seen(commanded[!], side, psi, omega, turned, coupled[?]) => _;
         winding: Winding<C> = Winding::new(control[!], regime[!], regulation, seen), decided;
         struck: C = struck(driven[!], past) => W_BLOW;
         events: SlewingEvents<C> = SlewingEvents::new(turning, drive, past, stops, outer, led[?], psi, omega);

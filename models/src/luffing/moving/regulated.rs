@@ -9,7 +9,7 @@ use crate::luffing::moving::driven::{Commanded, Slopes};
 use crate::luffing::moving::level::{Ahead, CraneAt, Level, Onward, first, put};
 use crate::luffing::moving::space;
 use crate::parts::control::SpeedControl;
-use crate::parts::control::continuous::{Ordered, Seen};
+use crate::parts::control::continuous::{Ordered, Sensed};
 use crate::parts::solver::pieces::{self, Pieces};
 use crate::parts::solver::{Count, Halt};
 
@@ -98,7 +98,7 @@ where
     MovingCrane<N, J>: Struck<N, J>,
 {
     /// What the controllers see at a time since the start (s), where the crane moves so.
-    fn seen(&self, time: f64, at: &Regulated<N, J>, moves: &[f64; N]) -> [Option<Seen<f64>>; AXES.len()] {
+    fn seen(&self, time: f64, at: &Regulated<N, J>, moves: &[f64; N]) -> [Option<Sensed<f64>>; AXES.len()] {
         let commanded = ByAxis(std::array::from_fn(|i| {
             let One(symbol, command) = self.asked.0[i]?;
             Some(One(symbol, command + at.laws.past.0[i]?.slope * time))

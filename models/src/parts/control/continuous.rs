@@ -10,7 +10,7 @@
 use crate::kernel::calc::Calc;
 use crate::kernel::group::by_map;
 use crate::kernel::symbol::Symbol;
-use crate::parts::control::{SpeedControl, pushes};
+use crate::parts::control::{ContinuousAxis, SpeedControl, pushes};
 use crate::parts::joint::{LOOSE, above_zero};
 
 /// How far from its limit, as a part of it, a moment may be found where an importer has located that it meets it.
@@ -22,18 +22,6 @@ const CLOSE: f64 = 1e-6;
 
 /// How far from its command, as a part of it or of what it was at the last event, a set point that has followed it may be found.
 const THERE: f64 = 1e-12;
-
-/// What the quantities of a continuous controller are called.
-#[derive(Debug, PartialEq)]
-pub struct ContinuousAxis {
-    /// Set point, and integral of the error.
-    pub states: [&'static Symbol; 2],
-    /// Command to which the set point goes and its rate, which way it goes there or how it follows, and how the limit has the
-    /// moment.
-    pub past: [&'static Symbol; 4],
-    /// Error, and moment asked for.
-    pub law: [&'static Symbol; 2],
-}
 
 /// Its states.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -153,7 +141,7 @@ impl Approach {
 
 /// What it sees: command, place and speed of its axis, and the acceleration of that.
 #[derive(Clone, Copy, Debug)]
-pub struct Seen<C> {
+pub struct Sensed<C> {
     pub commanded: C,
     pub place: C,
     pub speed: C,
@@ -205,7 +193,7 @@ impl<C: Calc> SpeedControl<C> {
     }
 
     /// Rate of the set point.
-    fn moves(&self, past: &Regime<C>, seen: &Seen<C>) -> C {
+    fn moves(&self, past: &Regime<C>, seen: &Sensed<C>) -> C {
         match (past.way.value(), self.approach) {
             (way, Some(approach)) if Approach::of(way).is_some() => self.follows(approach, way, past.slope, seen),
             (0.0, _) if past.slope.value() == 0.0 => C::constant(0.0),
@@ -215,7 +203,7 @@ impl<C: Calc> SpeedControl<C> {
     }
 
     /// Rate of the speed that a place asks for, by what that follows from: 0, a ė_x/|v_w| or K_x ė_x, where ė_x = ẋ_c − v.
-    fn follows(&self, approach @ [k, _]: [C; 2], way: f64, slope: C, seen: &Seen<C>) -> C {
+    fn follows(&self, approach @ [k, _]: [C; 2], way: f64, slope: C, seen: &Sensed<C>) -> C {
         let wanted = self.wanted(approach, seen.commanded, seen.place);
         let closes = if slope.value() == 0.0 {
             -seen.speed
@@ -230,7 +218,7 @@ impl<C: Calc> SpeedControl<C> {
     }
 
     /// How far what a followed speed follows from is below what else limits it, and its rate below the ramp: the lesser part.
-    fn follows_on(&self, approach @ [k, most]: [C; 2], way: f64, slope: C, seen: &Seen<C>) -> C {
+    fn follows_on(&self, approach @ [k, most]: [C; 2], way: f64, slope: C, seen: &Sensed<C>) -> C {
         let far = (seen.commanded - seen.place).abs();
         let (near, stops) = (k * far, (C::constant(2.0) * self.ramp * far).sqrt());
         let lesser = |a: C, b: C| if b.value() < a.value() { b } else { a };
@@ -244,13 +232,13 @@ impl<C: Calc> SpeedControl<C> {
     }
 
     /// Rate of the error, where what it regulates has an acceleration.
-    fn drifts(&self, past: &Regime<C>, seen: &Seen<C>) -> C {
+    fn drifts(&self, past: &Regime<C>, seen: &Sensed<C>) -> C {
         self.error(self.moves(past, seen), seen.acceleration)
     }
 
     /// Rates of set point and integral: ±a, or that of what is asked for; e, or 0 where it waits, or −K_p ė/K_i where it keeps the
     /// moment at the limit.
-    pub fn winding(&self, past: &Regime<C>, ordered: &Ordered<C>, seen: &Seen<C>) -> [C; 2] {
+    pub fn winding(&self, past: &Regime<C>, ordered: &Ordered<C>, seen: &Sensed<C>) -> [C; 2] {
         let [proportional, integral] = self.gains;
         let grows = match Hold::of(past.hold.value()) {
             Hold::Free | Hold::Falls(_) => ordered.error,
@@ -267,7 +255,7 @@ impl<C: Calc> SpeedControl<C> {
         state: &Regulating<C>,
         past: &Regime<C>,
         ordered: &Ordered<C>,
-        seen: &Seen<C>,
+        seen: &Sensed<C>,
     ) -> [C; 3] {
         let one = C::constant(1.0);
         let ramp = match (past.way.value(), self.approach) {
@@ -301,7 +289,7 @@ impl SpeedControl {
     /// What follows at an event: where the set point goes, and how the limit has the moment. A state that is located where it
     /// meets something is put there.
     #[must_use]
-    pub fn decided(&self, (state, past): (Regulating, Regime), seen: &Seen<f64>) -> (Regulating, Regime) {
+    pub fn decided(&self, (state, past): (Regulating, Regime), seen: &Sensed<f64>) -> (Regulating, Regime) {
         let (mut state, mut past) = (state, past);
         match self.approach {
             Some(approach) => self.approaches(approach, &mut state, &mut past, seen),
@@ -318,7 +306,13 @@ impl SpeedControl {
 
     /// Where the set point goes that a place asks for: there, at its greatest acceleration; then with it, as long as that changes
     /// no faster.
-    fn approaches(&self, approach @ [k, most]: [f64; 2], state: &mut Regulating, past: &mut Regime, seen: &Seen<f64>) {
+    fn approaches(
+        &self,
+        approach @ [k, most]: [f64; 2],
+        state: &mut Regulating,
+        past: &mut Regime,
+        seen: &Sensed<f64>,
+    ) {
         let wanted = self.wanted(approach, seen.commanded, seen.place);
         let left = wanted - state.set;
         past.target = seen.commanded;

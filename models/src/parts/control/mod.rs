@@ -6,7 +6,6 @@ use crate::kernel::calc::Calc;
 use crate::kernel::group::{One, by_map};
 use crate::kernel::number::short;
 use crate::kernel::symbol::Symbol;
-use crate::parts::control::continuous::ContinuousAxis;
 
 pub mod continuous;
 pub mod reading;
@@ -30,6 +29,18 @@ pub struct DriveAxis {
     pub reversed: bool,
     /// What it is without a cycle, its speed or its place commanded.
     pub continuous: [&'static ContinuousAxis; 2],
+}
+
+/// What the quantities of a continuous controller are called.
+#[derive(Debug, PartialEq)]
+pub struct ContinuousAxis {
+    /// Set point, and integral of the error.
+    pub states: [&'static Symbol; 2],
+    /// Command to which the set point goes and its rate, which way it goes there or how it follows, and how the limit has the
+    /// moment.
+    pub past: [&'static Symbol; 4],
+    /// Error, and moment asked for.
+    pub law: [&'static Symbol; 2],
 }
 
 /// What a controller is set to.

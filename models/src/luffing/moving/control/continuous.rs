@@ -10,7 +10,7 @@ use crate::luffing::moving::given::{CraneStates, Fitted, rates};
 use crate::luffing::moving::stages::CraneMoves;
 use crate::luffing::moving::symbols as m;
 use crate::parts::control::SpeedControl;
-use crate::parts::control::continuous::{Ordered, Regime, Regulating, Seen};
+use crate::parts::control::continuous::{Ordered, Regime, Regulating, Sensed};
 use crate::parts::turntable_control as turning;
 
 /// What controllers hold, and what happened to them before.
@@ -163,10 +163,10 @@ pub fn seen<C: Calc>(
     commanded: &ByAxis<One<C>>,
     places: [[C; 2]; AXES.len()],
     accelerations: [C; AXES.len()],
-) -> [Option<Seen<C>>; AXES.len()] {
+) -> [Option<Sensed<C>>; AXES.len()] {
     std::array::from_fn(|i| {
         let [place, speed] = places[i];
-        Some(Seen {
+        Some(Sensed {
             commanded: commanded.0[i].as_ref()?.1,
             place,
             speed,
@@ -180,7 +180,7 @@ pub fn winding<C: Calc>(
     control: &ByAxis<SpeedControl<C>>,
     past: &ByAxis<Regime<C>>,
     ordered: &[Option<Ordered<C>>; AXES.len()],
-    seen: &[Option<Seen<C>>; AXES.len()],
+    seen: &[Option<Sensed<C>>; AXES.len()],
 ) -> [Option<[C; 2]>; AXES.len()] {
     std::array::from_fn(|i| {
         let control = control.0[i].as_ref()?;
@@ -193,7 +193,7 @@ pub fn until<C: Calc>(
     control: &ByAxis<SpeedControl<C>>,
     (states, past): (&ByAxis<Regulating<C>>, &ByAxis<Regime<C>>),
     ordered: &[Option<Ordered<C>>; AXES.len()],
-    seen: &[Option<Seen<C>>; AXES.len()],
+    seen: &[Option<Sensed<C>>; AXES.len()],
 ) -> [Option<[C; 3]>; AXES.len()] {
     std::array::from_fn(|i| {
         let (control, seen) = (control.0[i].as_ref()?, seen[i].as_ref()?);

@@ -5,9 +5,8 @@ use crate::kernel::schema::Key;
 use crate::kernel::symbol::symbols;
 use crate::luffing::moving::control::hoist as s;
 use crate::luffing::moving::symbols::M_M_H;
-use crate::parts::control::DriveAxis;
-use crate::parts::control::continuous::ContinuousAxis;
 use crate::parts::control::reading::TABLE;
+use crate::parts::control::{ContinuousAxis, DriveAxis};
 
 symbols! {
     K_PH: "K_ph" "K_\"p h\"" N_S / KN_S [positive], "Proportional gain of the hoist controller: moment over the error of the speed.", "input";

@@ -5,9 +5,8 @@ use crate::kernel::schema::Key;
 use crate::kernel::symbol::symbols;
 use crate::luffing::moving::control::luffing as s;
 use crate::luffing::moving::symbols::M_A;
-use crate::parts::control::DriveAxis;
-use crate::parts::control::continuous::ContinuousAxis;
 use crate::parts::control::reading::TABLE;
+use crate::parts::control::{ContinuousAxis, DriveAxis};
 
 symbols! {
     K_P_A: "K_pA" "K_\"p A\"" N_M_S / KN_M_S [positive], "Proportional gain of the luffing controller: moment over the error of the speed.", "input";
