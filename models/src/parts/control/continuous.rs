@@ -41,7 +41,7 @@ pub struct Regime<C = f64> {
     pub target: C,
     /// Its rate, where it goes straight from value to value.
     pub slope: C,
-    /// 1, −1, or where it is there 0, and of a place another number of [`Approach`].
+    /// 1, −1, or where it is there 0, and of a place another number of how it follows that.
     pub way: C,
     /// How the limit has the moment: 0 within it, else a number with the sign of the moment.
     pub hold: C,
