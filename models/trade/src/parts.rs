@@ -79,7 +79,11 @@ pub fn left_out(scene: &Scene, deepest: &str, asked: &[Asked]) -> Vec<(String, S
     let within = own.into_iter().flat_map(Table::iter);
     let within = within.map(|(name, item)| (vec![scene.table.to_owned(), name.to_owned()], item));
     let beside = document.iter().filter(|(name, _)| *name != scene.table);
-    let beside = beside.map(|(name, item)| (vec![name.to_owned()], item));
+    let beside = beside.flat_map(|(name, item)| {
+        let inner = item.as_table().into_iter().flat_map(Table::iter);
+        let inner = inner.map(|(own, item)| (vec![name.to_owned(), own.to_owned()], item));
+        std::iter::once((vec![name.to_owned()], item)).chain(inner)
+    });
     let tables = within
         .chain(beside)
         .filter_map(|(path, item)| Some((path, item.as_table()?)));
