@@ -1,8 +1,8 @@
 //! What the parts of a scene give and cost: each in turn is left out, and the rest makes the same motion.
 //!
 //! A part is a table without which the scene is still one that reaches the same level and has the same results, and
-//! less to say of its motion; or a key of a table without which its motion begins in another way. What belongs to nothing
-//! without it, such as a limit of its results, goes with it.
+//! less to say of its motion; or a key of a table, or a table within one beside the mechanism's, without which its motion begins in
+//! another way. What belongs to nothing without it, such as a limit of its results, goes with it.
 
 use std::ops::Range;
 
@@ -89,6 +89,7 @@ pub fn left_out(scene: &Scene, deepest: &str, asked: &[Asked]) -> Vec<(String, S
         .filter_map(|(path, item)| Some((path, item.as_table()?)));
     let mut found: Vec<(String, Scene)> = Vec::new();
     for (path, table) in tables {
+        let within_part = path.len() > 1 && path[0] != scene.table;
         let keys = table.iter().filter(|(_, item)| item.is_value());
         let keys = keys.map(|(name, _)| [path.clone(), vec![name.to_owned()]].concat());
         for (is_key, path) in std::iter::once((false, path.clone())).chain(keys.map(|path| (true, path))) {
@@ -100,7 +101,7 @@ pub fn left_out(scene: &Scene, deepest: &str, asked: &[Asked]) -> Vec<(String, S
                 continue;
             };
             let tells = asked.iter().all(|asked| less.names.contains(&asked.name));
-            let is_part = less.names != all.names && !(is_key && less.moves_as(&all));
+            let is_part = less.names != all.names && !((is_key || within_part) && less.moves_as(&all));
             let known = found.iter().any(|(_, other)| other.text() == rest.text());
             if tells && is_part && !known {
                 let names = if is_key { of_table(&gone) } else { gone[0].join(".") };
