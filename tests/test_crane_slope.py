@@ -2,6 +2,7 @@
 constraint, energies and places from the geometry alone (`tests/oracles/luffing_resistances.py`), solved by SciPy; what pins carry by
 one system of equations of all bodies; what holds it; beside oil; exact derivatives, both standards and both interfaces, the book."""
 
+import json
 import re
 from math import atan2, cos, pi, radians, sin
 
@@ -283,3 +284,16 @@ def test_the_book_tells_of_it(tmp_path, language):
     told = [plain, known["section"]["motion_leaning"], known["purpose"]["motion_leaning"]]
     for text in told:
         assert text in leaning and text not in level, text
+
+
+def test_trade_tells_what_it_costs_to_leave_it_out(tmp_path):
+    """A table within that of slewing is a part of its own; what leaving it out costs is far more than rounding."""
+    led = '{ between = "linear", over = [["0 s", "1600 kN.m"], ["8 s", "1500 kN.m"]] }'
+    text = scene("Told", True).replace(f'M_A = "{MOMENT / 1e3} kN.m"', f"M_A = {led}")
+    assert led in text
+    (tmp_path / "scene.toml").write_text(text, encoding="utf-8")
+    lemnis("trade", tmp_path / "scene.toml", "--rounds", "1", "--step", "0.5", "--output", tmp_path)
+    told = json.loads((tmp_path / "Told_trade.json").read_text(encoding="utf-8"))
+    parts = {part["without"]: part["errors"] for part in told["parts"]["left_out"]}
+    assert set(parts) == {"slewing", "slewing.slope"}
+    assert parts["slewing.slope"]["A.x"]["max"] > 0.1
