@@ -7,14 +7,13 @@ from math import cos, pi, radians, sin, sqrt
 
 import numpy as np
 import pytest
-from fmpy import extract, read_model_description, simulate_fmu
-from fmpy.fmi3 import FMU3Model
+from fmpy import read_model_description, simulate_fmu
 from fmpy.validation import validate_fmu
 from scipy.integrate import solve_ivp
 
 from conftest import ROOT, lemnis
 from oracles import luffing_resistances as oracle
-from test_commands import ENDS, Stepped, course, same_bits, written
+from test_commands import ENDS, Stepped, course, exchanged, same_bits, written
 
 SCENES = ROOT / "models/scenes"
 # Of the ready scene: inertia of the motor's shaft, travel of the rack for one turn; torque and delay of each brake.
@@ -205,18 +204,12 @@ def test_brakes_as_an_input_fall_on_at_time_events(tmp_path, crane):
     rate = lambda t: runs["FMI 3"][round(t * 100) - 1, 1]
     for t, torque in ((0.9, 0.0), (1.1, 0.0), (1.3, 50.0), (1.6, 50.0), (1.8, 0.0), (2.6, 0.0), (2.8, 50.0)):
         assert resists(t) == pytest.approx(-(M_F + C_V * rate(t) + torque * ratio(t)), rel=1e-9), t
-    folder = extract(paths["FMI 3"])
-    description = read_model_description(paths["FMI 3"])
-    variables = {v.name: v for v in description.modelVariables}
+    variables = {v.name: v for v in read_model_description(paths["FMI 3"]).modelVariables}
     assert variables["u_br"].causality == "input" and variables["u_br"].variability == "discrete"
-    fmu = FMU3Model(guid=description.guid, unzipDirectory=folder, instanceName="one",
-                    modelIdentifier=description.modelExchange.modelIdentifier)
-    fmu.instantiate()
-    fmu.enterInitializationMode()
-    fmu.exitInitializationMode()
+    fmu, references = exchanged(paths["FMI 3"])
     events = lambda: fmu.updateDiscreteStates()
     assert not events()[4]
-    fmu.setFloat64([variables["u_br"].valueReference], [1.0])
+    fmu.setFloat64([references["u_br"]], [1.0])
     fmu.setTime(1.0)
     *_, defined, at = events()
     assert defined and at == 1.2
@@ -300,14 +293,7 @@ def accelerations(folder, scene, drive, motor, points):
     name = "Heavy" if motor else "Light"
     text = "\n".join(line if not line.startswith("name ") or "PortalCrane" not in line and "Motion" not in line
                      else f'name = "{name}"' for line in text.split("\n"))
-    path = written(folder, name, text)["FMI 3"]
-    description = read_model_description(path)
-    references = {v.name: v.valueReference for v in description.modelVariables}
-    fmu = FMU3Model(guid=description.guid, unzipDirectory=extract(path), instanceName="one",
-                    modelIdentifier=description.modelExchange.modelIdentifier)
-    fmu.instantiate()
-    fmu.enterInitializationMode()
-    fmu.exitInitializationMode()
+    fmu, references = exchanged(written(folder, name, text)["FMI 3"])
     fmu.enterContinuousTimeMode()
     found = []
     for angle, rate, moment in points:

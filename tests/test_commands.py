@@ -162,16 +162,21 @@ def test_the_speed_is_the_integral_of_the_moment_over_the_inertia(free, standard
         assert abs(moment - wanted) <= 1e-9 * 500e3
 
 
-def as_told(path, states, names, inputs={}):
-    """What an FMU 3 has in Model Exchange at states, after inputs: rates of the states, and results by their names."""
+def exchanged(path):
+    """An FMU 3 for Model Exchange, initialised, and the references of its variables."""
     description = read_model_description(path)
-    references = {v.name: v.valueReference for v in description.modelVariables}
     fmu = FMU3Model(guid=description.guid, unzipDirectory=extract(path), instanceName="one",
                     modelIdentifier=description.modelExchange.modelIdentifier)
     fmu.instantiate()
     fmu.enterInitializationMode()
     fmu.exitInitializationMode()
-    for name, value in inputs.items():
+    return fmu, {v.name: v.valueReference for v in description.modelVariables}
+
+
+def as_told(path, states, names, inputs=()):
+    """What an FMU 3 has in Model Exchange at states, after inputs: rates of the states, and results by their names."""
+    fmu, references = exchanged(path)
+    for name, value in dict(inputs).items():
         fmu.setFloat64([references[name]], [value])
     fmu.updateDiscreteStates()
     fmu.enterContinuousTimeMode()
