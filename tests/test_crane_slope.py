@@ -242,6 +242,31 @@ def test_it_acts_beside_oil(tmp_path):
     assert driven[0] == pytest.approx(leaning[0], rel=1e-12)
 
 
+@pytest.mark.parametrize("plumb", [True, False])
+def test_oil_begins_as_it_holds_the_crane_on_the_slope(tmp_path, plumb):
+    """With its valve closed and the load hanging plumb nothing moves; with the load straight below the head, luffing does not begin to."""
+    text = cylinder().replace('M_sl = "200 kN.m"\n', f'psi_sl = "{PSI!r} rad"\nM_Fsl = "9000 kN.m"\n')
+    assert "M_Fsl" in text
+    text = re.sub(r"(?ms)^(u_v|y_b1) = .*?^\] \} *", r'\1 = "0" ', text)
+    # Nothing leaks past the piston.
+    text = re.sub(r"(?m)^k_L .*$", 'k_L = "0 m3/(s.Pa)"', text)
+    text += f'\n[slewing.slope]\ngamma_s = "{GAMMA!r} rad"\nG_u = "900 kN"\nr_u = "1.5 m"\n'
+    if plumb:
+        down = [sin(GAMMA) * cos(PSI), -cos(GAMMA), -sin(GAMMA) * sin(PSI)]
+        angles = f'phi_R = "{atan2(down[0], -down[1])!r} rad"\n'
+        text = re.sub(r'(?m)^phi_R.*\n', "", text).replace("l_R ", angles + "l_R ", 1)
+        text = text.replace("M_Fsl", f'chi_R = "{float(np.arcsin(down[2]))!r} rad"\nM_Fsl', 1)
+    path = written(tmp_path, re.search(r'(?m)^name += "(\w+)"', text)[1], text)["FMI 3"]
+    fmu = Stepped(path)
+    [begins] = fmu.get(["der(omega_1)"])
+    # Of what would have it begin: the moments of the slope over an inertia of 1e7 kg·m².
+    assert abs(begins) <= 1e-14, begins
+    if plumb:
+        rows = np.array(fmu.run([0.1 * i for i in range(51)], ["theta_1", "p_A", "x_Q", "z_Q"]))
+        assert (np.ptp(rows, axis=0) <= np.array([1e-10, 100.0, 1e-8, 1e-8])).all(), np.ptp(rows, axis=0)
+    fmu.close()
+
+
 def test_derivatives_of_the_moments(manoeuvre):
     paths, names, _, crane = manoeuvre
     fmu = Stepped(paths["FMI 3"])

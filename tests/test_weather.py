@@ -1,4 +1,4 @@
-"""Wind on the bodies of a crane and the slope of its ground while it moves: against a model of its own, energies, places and
+"""Wind on the bodies of a crane, the slope of its ground and a given slewing speed while it moves: against a model of its own, energies, places and
 areas from the geometry alone (`tests/oracles/luffing_resistances.py`), solved by SciPy; what is conserved; what pins carry by
 one system of equations of all bodies; both standards and both interfaces."""
 
@@ -18,13 +18,16 @@ CRANE = oracle.DoubleLink()
 # A gust from the rear and one from the front, linear between, on a slope that grows.
 GUST = [(0.0, 0.0), (1.0, 0.0), (3.0, 400.0), (4.0, 400.0), (6.0, -300.0), (9.0, 0.0)]
 SLOPE = [(0.0, radians(1.0)), (2.0, radians(1.0)), (8.0, radians(2.0))]
+# In 1/s, of a crane whose load does not swing.
+SLEWED = [(0.0, 0.0), (1.0, 0.0), (4.0, 1.6 / 60), (7.0, -1.2 / 60)]
 MOMENT = 1.6e6
 TIMES = [round(0.1 * i, 10) for i in range(101)]
 LENGTH, SWING = 15.0, radians(1.0)
 
 
 class Outdoors(Crane):
-    """The same crane with what wind and slope do: by how far areas and weights move forward and up."""
+    """The same crane with what wind, slope and slewing do: by how far areas and weights move forward and up, and by the inertia of
+    all masses about the slewing axis, through the foot of the boom."""
 
     def __init__(self, low, high, loaded):
         nodes, self.shaft = 32, J_M
@@ -40,18 +43,21 @@ class Outdoors(Crane):
             load = CRANE.load * head(x) if loaded else 0
             return sum(b.mass * oracle.G * c for b, c in zip(CRANE.bodies, places(x, lambda b: b.centre))) + load
 
-        def inert(x):
-            def masses(y):
-                for b, (o, t) in zip(CRANE.bodies, CRANE.placed(y)):
-                    for side in (1, -1):
-                        yield b.mass / 2, o + (b.centre + side * oracle.sqrt(b.inertia / b.mass) * b.along) * t
-                if loaded:
-                    yield CRANE.load / oracle.G, head(y)
+        def masses(y):
+            for b, (o, t) in zip(CRANE.bodies, CRANE.placed(y)):
+                for side in (1, -1):
+                    yield b.mass / 2, o + (b.centre + side * oracle.sqrt(b.inertia / b.mass) * b.along) * t
+            if loaded:
+                yield CRANE.load / oracle.G, head(y)
 
+        def inert(x):
             return sum(m * abs(oracle.first(lambda y: list(masses(y))[i][1], x)) ** 2 for i, (m, _) in enumerate(masses(x)))
 
         self.swept, self.forward, self.up = fit(swept), fit(lambda x: weighed(x).real), fit(lambda x: weighed(x).imag)
         self.bodies = fit(inert)
+        self.slewed = loaded
+        self.about = fit(lambda x: sum(m * place.real**2 for m, place in masses(x)))
+        self.about_change = self.about.deriv()
         self.bodies_change = self.bodies.deriv()
         self.ratio = fit(lambda x: oracle.first(CRANE.driven, x) * 2 * oracle.pi / oracle.mpf(L_M))
         self.ratio_change = self.ratio.deriv()
@@ -67,6 +73,8 @@ class Outdoors(Crane):
         """On the boom by the drive, weights on the slope, wind and friction, while it moves forward."""
         pressure, slope = (np.interp(t, *zip(*rows)) for rows in (GUST, SLOPE))
         weights = self.forward_change(x) * np.sin(slope) - self.up_change(x) * np.cos(slope)
+        speed = 2 * pi * np.interp(t, *zip(*SLEWED)) if self.slewed else 0.0
+        weights += speed**2 * self.about_change(x) / 2
         return moment + weights + pressure * self.swept_change(x) - C_V * rate - M_F - self.inertia_change(x) * rate**2 / 2
 
     def alone(self, t, y):
@@ -89,7 +97,7 @@ class Outdoors(Crane):
 
     def run(self, rope):
         start = [FROM, 0.0, SWING, 0.0] if rope else [FROM, 0.0]
-        breaks = sorted({0.0, TIMES[-1], *(t for t, _ in [*GUST, *SLOPE] if t < TIMES[-1])})
+        breaks = sorted({0.0, TIMES[-1], *(t for t, _ in [*GUST, *SLOPE, *SLEWED] if t < TIMES[-1])})
         found, y = {}, np.array(start)
         for a, b in zip(breaks, breaks[1:]):
             solved = solve_ivp(self.swings if rope else self.alone, (a, b), y, method="DOP853", rtol=1e-12, atol=1e-14,
@@ -102,6 +110,8 @@ class Outdoors(Crane):
 def scene(name, rope):
     angle = lambda rows: course(rows, "linear", "rad", 1.0)
     more = f'p_wm = {course(GUST, "linear", "Pa", 1.0)}\nsigma_m = {angle(SLOPE)}\n'
+    if not rope:
+        more += f'n_sm = {course(SLEWED, "linear", "1/min", 1 / 60)}\n'
     load = f'l_R = "{LENGTH} m"\nphi_R = "{SWING!r} rad"' if rope else ""
     return braked(name, f'"{MOMENT / 1e3} kN.m"', '"0"', rope=load, more=more)
 
@@ -143,24 +153,25 @@ def free(name, more):
     return text
 
 
-def test_energy_is_the_work_of_drive_and_wind(tmp_path):
-    """Kinetic and potential energy on the slope less what drive and a steady wind have done stays what it is."""
-    pressure, slope = 250.0, radians(1.5)
-    text = free("Work", f'p_wm = "{pressure} Pa"\nsigma_m = "{slope!r} rad"\n')
+def test_energy_is_the_work_of_drive_wind_and_centrifugal_forces(tmp_path):
+    """Kinetic and potential energy on the slope less what drive, a steady wind and steady slewing have done stays what it is."""
+    pressure, slope, speed = 250.0, radians(1.5), 1.4 / 60
+    text = free("Work", f'p_wm = "{pressure} Pa"\nsigma_m = "{slope!r} rad"\nn_sm = "{speed!r} 1/s"\n')
     crane = Outdoors(radians(43.5), radians(69), True)
     fmu = Stepped(written(tmp_path, "Work", text)["FMI 3"])
-    rows = fmu.run([0.1 * i for i in range(61)], ["theta_1", "omega_1", "M_wind", "M_slope"])
+    rows = fmu.run([0.1 * i for i in range(61)], ["theta_1", "omega_1", "M_wind", "M_slope", "M_Omega"])
     fmu.close()
     kept, sizes = [], []
-    for x, rate, wind, slopes in rows:
+    for x, rate, wind, slopes, slewed in rows:
         kinetic = crane.inertia(x) * rate**2 / 2
         height = crane.up(x) * np.cos(slope) - crane.forward(x) * np.sin(slope)
-        work = MOMENT * x + pressure * crane.swept(x)
+        work = MOMENT * x + pressure * crane.swept(x) + (2 * pi * speed)**2 * crane.about(x) / 2
         kept.append(kinetic + height - work)
         sizes.append(kinetic)
         assert wind == pytest.approx(pressure * crane.swept_change(x), rel=1e-9)
         leaning = crane.forward_change(x) * np.sin(slope) + crane.up_change(x) * (1 - np.cos(slope))
         assert slopes == pytest.approx(leaning, rel=1e-9)
+        assert slewed == pytest.approx((2 * pi * speed)**2 * crane.about_change(x) / 2, rel=1e-9)
     assert max(sizes) > 1e4 and np.ptp(kept) <= 1e-8 * max(sizes), np.ptp(kept) / max(sizes)
 
 
@@ -168,14 +179,16 @@ PINS = {"O1": ("F_O1.x", "F_O1.y"), "B": ("F_B.x", "F_B.y"), "C": ("F_C.x", "F_C
         "M": ("F_M.x", "F_M.y")}
 
 
-@pytest.mark.parametrize("angle, rate, pressure, slope", [(50.0, 0.03, 600.0, 2.0), (61.3, -0.05, -900.0, -1.0), (78.1, 0.02, 0.0, 3.0),
-                                                          (66.6, 0.04, 450.0, 0.0)])
-def test_pins_carry_the_wind_in_motion(tmp_path, angle, rate, pressure, slope):
-    """All forces of the moving bodies by one system of equations, of d'Alembert's forces, weights on the slope and wind."""
+@pytest.mark.parametrize("angle, rate, pressure, slope, speed", [(50.0, 0.03, 600.0, 2.0, 0.0), (61.3, -0.05, -900.0, -1.0, 1.1),
+                                                                 (78.1, 0.02, 0.0, 3.0, -1.7), (66.6, 0.04, 450.0, 0.0, 0.0),
+                                                                 (55.5, 0.01, 0.0, 0.0, 2.3)])
+def test_pins_carry_what_acts_in_motion(tmp_path, angle, rate, pressure, slope, speed):
+    """All forces of the moving bodies by one system of equations, of d'Alembert's forces, weights on the slope, wind and centrifugal
+    forces of halves of each body's mass."""
     name = "Pins"
-    path = written(tmp_path, name, free(name, 'p_wm = "0 Pa"\nsigma_m = "0 deg"\n'))["FMI 3"]
+    path = written(tmp_path, name, free(name, 'p_wm = "0 Pa"\nsigma_m = "0 deg"\nn_sm = "0 1/min"\n'))["FMI 3"]
     names = [*sum(PINS.values(), ()), "M_D"]
-    rates, found = as_told(path, [radians(angle), rate], names, {"p_wm": pressure, "sigma_m": radians(slope)})
+    rates, found = as_told(path, [radians(angle), rate], names, {"p_wm": pressure, "sigma_m": radians(slope), "n_sm": speed / 60})
 
     phi, turning = oracle.mpf(radians(angle)), oracle.mpf(rates[1])
     down = oracle.mpc(oracle.sin(oracle.mpf(radians(slope))), -oracle.cos(oracle.mpf(radians(slope))))
@@ -186,12 +199,16 @@ def test_pins_carry_the_wind_in_motion(tmp_path, angle, rate, pressure, slope):
         travel, bend = travel + 1j * w * arm, bend + (1j * e - w**2) * arm
         forces.append((i, o + arm, b.mass * (oracle.G * down - travel * turning - bend * oracle.mpf(rate) ** 2)))
         forces.append((i, o + b.middle * t, oracle.mpf(pressure) * b.area))
+        for side in (1, -1):
+            place = o + (b.centre + side * oracle.sqrt(b.inertia / b.mass) * b.along) * t
+            forces.append((i, place, b.mass / 2 * (2 * oracle.pi * oracle.mpf(speed) / 60) ** 2 * place.real))
         couples.append(-b.inertia * (w * turning + e * oracle.mpf(rate) ** 2))
     head = lambda x: CRANE.hangs(x)[0]
     step = oracle.mpf(10) ** -12
     second = (head(phi + step) - 2 * head(phi) + head(phi - step)) / step**2
     mass = CRANE.load / oracle.G
     load = mass * (oracle.G * down - oracle.first(head, phi) * turning - second * oracle.mpf(rate) ** 2)
+    load += mass * (2 * oracle.pi * oracle.mpf(speed) / 60) ** 2 * head(phi).real
     moment, carried = CRANE.hold(phi, forces, couples, load)
     size = float(max(carried))
     assert abs(found["M_D"] - float(moment)) <= 1e-12 * size * 26.3, (found["M_D"], float(moment))

@@ -11,7 +11,7 @@ mod driven;
 #[allow(dead_code, reason = "not every test uses all of it")]
 mod named;
 
-use driven::{RACK, SECTOR, systems};
+use driven::{blown, moving};
 use lemnis_models::component::model::Model;
 use lemnis_models::kernel::variable::Role;
 use lemnis_models::scene::Scene;
@@ -21,37 +21,6 @@ use named::{get, index, model, set};
 const PARTS: [f64; 5] = [0.031, 0.2718, 0.5772, 0.7321, 0.9431];
 /// Wind and slope of both cases of every system.
 const WEATHER: [(f64, f64); 2] = [(17.0, 1.0), (-17.0, -1.0)];
-
-/// A system in motion, of a level, with more keys of its dynamics; all of the load in both cases.
-fn moving(text: &str, level: &str, more: &str) -> String {
-    let bodies = [
-        ("\"jib\"", "1 2 3"),
-        ("\"link\"", "b l"),
-        ("\"trunk\"", "b t"),
-        ("\"boom\"", "b"),
-    ];
-    let (_, keys) = bodies.iter().find(|(body, _)| text.contains(body)).expect("a boom");
-    let inertias = keys.split(' ').zip(1..);
-    let inertias: String = inertias
-        .map(|(key, i)| format!("J_{key} = \"{} t.m2\"\n", 70 * i))
-        .collect();
-    let dynamics = format!("[luffing.dynamics]\n{inertias}{more}\n[cases]");
-    text.replacen("[luffing]\n", &format!("[luffing]\nfidelity = \"{level}\"\n"), 1)
-        .replacen("[cases]", &dynamics, 1)
-        .replace("k_Q = \"0.8\"", "k_Q = \"1\"")
-        + if text.contains("[luffing.drive]") { MOTOR } else { "" }
-}
-
-/// A motor, of which the torque of any drive that turns is told in motion.
-const MOTOR: &str = "[cases.motor]\nP_N = \"9e5 kW\"\nn_N = \"970 1/min\"\nlambda_M = \"3\"\nk_a = \"2\"\nJ_M = \"0.5 kg.m2\"\nl_M = \"4 mm\"\n\
-    eta_M = \"0.9\"\nheating = \"in\"\n";
-
-/// Those whose cases have a wind speed, with every balance: all but the ready scenes. A rocker is driven by a rack.
-fn blown() -> impl Iterator<Item = (String, String)> {
-    let balanced = |(name, text): &(String, String)| text.contains("v_w") && !name.starts_with("drive");
-    let all = systems().into_iter().filter(balanced);
-    all.map(|(name, text)| (name, text.replace(SECTOR, RACK)))
-}
 
 /// At rest at a part of the working range.
 fn at(model: &mut Model, part: f64) {

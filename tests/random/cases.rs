@@ -1,6 +1,8 @@
 //! What makes the cases of a luffing scene legal: what they weigh and drive is there, bodies and pins are those of the
 //! mechanism.
 
+use std::f64::consts::TAU;
+
 use lemnis_models::luffing::resistances::scene::CaseParts;
 use lemnis_models::parts::starts::{N_EN, T_EN};
 use toml::Table;
@@ -60,14 +62,27 @@ pub fn cases(n: &mut Node, parts: &CaseParts) {
     }
 }
 
-/// Wind and slope in motion, where cases have them, and areas times drag coefficients (m²) in any wind.
+/// Wind and slope in motion, where cases have them, given slewing where nothing slews or swings, and areas times drag coefficients (m²) in any wind.
 fn weather(n: &mut Node, area: Option<f64>) {
     let [length, mass, time] = n.draw.scale;
     let turns = n.has("slewing");
+    let far = n.get("X_8").abs();
+    let rails = n
+        .child("balance")
+        .is_some_and(|b| b.text("kind") == Some("straight_rail"));
+    let hoisted = n.child("hoisting").is_some_and(|h| h.has("l_R"));
     let air = n.child("cases").map_or(0.0, |c| c.get("c_air"));
     let Some(mut d) = n.child("dynamics") else { return };
     if turns || area.is_none() {
         d.remove(&["sigma_m"]);
+    }
+    if turns || rails || hoisted || d.has("l_R") {
+        d.remove(&["n_sm"]);
+    } else if d.has("n_sm") {
+        // Centrifugal forces are a small part of the weights, which keep a tie taut.
+        let most = (1e-3 * d.draw.g / (far + 3.0 * length)).sqrt().min(0.1 / time);
+        let speed = d.draw.between(-most, most) / TAU;
+        d.set("n_sm", speed.clamp(-0.5, 0.5));
     }
     let area = area.unwrap_or(0.0);
     if area == 0.0 {
@@ -155,9 +170,13 @@ pub fn start(c: &mut Node) -> bool {
 /// The same of a luffing drive.
 fn luffing_start(c: &mut Node) {
     let slips = start(c);
-    let engine = c
-        .child("start")
-        .is_some_and(|start| start.text("kind") == Some("engine"));
+    let is = |kind| c.child("start").is_some_and(|start| start.text("kind") == Some(kind));
+    let [engine, inverter] = ["engine", "inverter"].map(is);
+    if let Some(mut motor) = c.child("motor").filter(|_| inverter) {
+        // Its limit is no more than some rated torques, where the mean torque of a start is 1e5 of them.
+        let turns = motor.draw.between(5e-4, 1e-3);
+        motor.set("n_N", turns);
+    }
     if let Some(mut motor) = c.child("motor").filter(|_| engine) {
         let travel = motor.draw.between(0.1, 0.2);
         motor.set("l_M", travel);

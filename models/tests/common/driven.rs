@@ -97,3 +97,34 @@ pub fn systems() -> Vec<(String, String)> {
     all.push(("rope".to_owned(), ROPE.to_owned()));
     all
 }
+
+/// A system in motion, of a level, with more keys of its dynamics, and the inertias of its cases; all of the load in these.
+pub fn moving(text: &str, level: &str, more: &str) -> String {
+    let bodies = [
+        ("\"jib\"", "1 2 3"),
+        ("\"link\"", "b l"),
+        ("\"trunk\"", "b t"),
+        ("\"boom\"", "b"),
+    ];
+    let (_, keys) = bodies.iter().find(|(body, _)| text.contains(body)).expect("a boom");
+    let inertias = keys.split(' ').zip(1..);
+    let inertias: String = inertias
+        .map(|(key, i)| format!("J_{key} = \"{} t.m2\"\n", 90 * i))
+        .collect();
+    let dynamics = format!("[luffing.dynamics]\n{inertias}{more}\n[cases]");
+    text.replacen("[luffing]\n", &format!("[luffing]\nfidelity = \"{level}\"\n"), 1)
+        .replacen("[cases]", &dynamics, 1)
+        .replace("k_Q = \"0.8\"", "k_Q = \"1\"")
+        + if text.contains("[luffing.drive]") { MOTOR } else { "" }
+}
+
+/// A motor, of which the torque of any drive that turns is told in motion.
+const MOTOR: &str = "[cases.motor]\nP_N = \"9e5 kW\"\nn_N = \"970 1/min\"\nlambda_M = \"3\"\nk_a = \"2\"\nJ_M = \"0.5 kg.m2\"\nl_M = \"4 mm\"\n\
+    eta_M = \"0.9\"\nheating = \"in\"\n";
+
+/// Those whose cases have a wind speed, with every balance: all but the ready scenes. A rocker is driven by a rack.
+pub fn blown() -> impl Iterator<Item = (String, String)> {
+    let balanced = |(name, text): &(String, String)| text.contains("v_w") && !name.starts_with("drive");
+    let all = systems().into_iter().filter(balanced);
+    all.map(|(name, text)| (name, text.replace(SECTOR, RACK)))
+}

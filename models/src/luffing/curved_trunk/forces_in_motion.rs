@@ -73,6 +73,8 @@ impl<C: Calc> TrunkForces<C> {
     ) -> TrunkForces<C> {
         let bend = TrunkBend::new(contact, position, travel);
         let [boom, trunk] = &bodies.bodies;
+        let (sin, cos) = phi.sin_cos();
+        let lie = [(boom.spread, Point::new(cos, sin)), (trunk.spread, position.along)];
         let TrunkCentres { boom: s, trunk: m } =
             TrunkCentres::new([boom.centre, trunk.centre], (phi, position), (travel, &bend));
         let at = &acting.at;
@@ -85,8 +87,10 @@ impl<C: Calc> TrunkForces<C> {
                 [m[1], m[2]],
             )
         };
+        let trunk = acting.turning(trunk, position.b.x + m[0].x, lie[1]);
         let foot = (0, C::constant(0.0));
         let boom = PosedBody::in_plane(foot, [boom.mass.def(&s::MASS_B), boom.inertia], s[0], [s[1], s[2]]);
+        let boom = acting.turning(boom, s[0].x, lie[0]);
         let f_t = trunk.force(at, gravity, [&s::F_ITX, &s::F_ITY]);
         let about_b = trunk.moment(at, f_t);
         let (on_trunk, about_b) = match at.pull {

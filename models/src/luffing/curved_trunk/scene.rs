@@ -121,7 +121,7 @@ const WEIGHTS: &[Key] = keys! { s:
     G_B [or_mass], R_B >= 0, CHI_B [usually(0.0)], G_T [or_mass], R_T >= 0, CHI_T [usually(0.0)]
 };
 
-static DYNAMICS: &[Key] = &dynamics::<18>(&[
+static DYNAMICS: &[Key] = &dynamics::<19>(&[
     Key::quantity(&s::J_B, Sign::NotNegative),
     Key::quantity(&s::J_T, Sign::NotNegative),
 ]);

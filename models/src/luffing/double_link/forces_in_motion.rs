@@ -64,7 +64,7 @@ impl<C: Copy> Pushes<C> for ForcesInMotion<C> {
 impl<C: Posing<C> + Coordinate<C>> ForcesInMotion<C> {
     /// Of a crane at an instant; `None` where linkage or balance do not close.
     pub fn of(level: &Level<C>, linkage: &HeavyLinkage<C>, at: &CraneAt<C>) -> Option<ForcesInMotion<C>> {
-        let pose = C::pose(linkage, at.y[0], level.dynamics().turntable())?;
+        let pose = C::pose(linkage, at.y[0], level.dynamics().turns())?;
         let arm = pose.drive.map_or(C::constant(0.0), |(_, [_, arm])| arm);
         let instant = level.instant(at, arm)?;
         Some(ForcesInMotion::new(&pose, &instant, linkage.bodies.gravity))

@@ -75,15 +75,22 @@ impl<C: Calc> GuidedForces<C> {
         held(position, phi)?;
         let at = &acting.at;
         let [boom, link] = &bodies.bodies;
+        let (sin, cos) = phi.sin_cos();
+        let lie = [
+            (boom.spread, Point::new(cos, sin)),
+            (link.spread, Point::new(cos, -sin)),
+        ];
         let GuidedCentres { boom: s, link: l } = GuidedCentres::new(bars.c, [boom.centre, link.centre], phi);
         let boom = [boom.mass.def(&s::MASS_B), boom.inertia];
         let boom = PosedBody::in_plane((0, position.c.y), boom, s[0] - position.c, [s[1], -s[0]]);
+        let boom = acting.turning(boom, s[0].x, lie[0]);
         let link = [link.mass.def(&s::MASS_L), link.inertia];
         // The link turns against the boom's angle.
         let link = PosedBody {
             turn: [C::constant(-1.0), C::constant(0.0)],
             ..PosedBody::in_plane((1, C::constant(0.0)), link, l[0], [l[1], -l[0]])
         };
+        let link = acting.turning(link, l[0].x, lie[1]);
         let f_b = boom.force(at, gravity, [&s::F_IBX, &s::F_IBY]);
         let about_c = boom.moment(at, f_b);
         let (on_boom, about_c) = match at.pull {

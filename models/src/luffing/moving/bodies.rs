@@ -160,6 +160,9 @@ pub(crate) fn weighed_forward<C: Calc>(bodies: impl Iterator<Item = [C; 3]>) -> 
     [place.def(&s::W_SX), travel.def(&s::W_GX)]
 }
 
+/// Names of inertias about upright axes through the centres of boom and of link or trunk, and of their changes.
+const UPRIGHT: [[&Symbol; 2]; 2] = [[&s::I_UB, &s::DI_UB], [&s::I_UL, &s::DI_UL]];
+
 impl<C: Calc, const N: usize> Moves<C, N> {
     /// Of a mechanism whose plane does not turn, and whose drive nothing asks for.
     pub fn in_plane(
@@ -178,6 +181,44 @@ impl<C: Calc, const N: usize> Moves<C, N> {
             weighed: None,
             lead,
         }
+    }
+
+    /// About a slewing axis, where there is one: with unit vectors along the bodies' bars and the changes of these, where a body has
+    /// inertia of its own.
+    #[must_use]
+    pub fn turning<P: Calc>(
+        self,
+        table: Option<&Turntable<P>>,
+        bodies: [&Body<P>; N],
+        bars: [Option<[Point<C>; 2]>; N],
+    ) -> Moves<C, N>
+    where
+        C: Over<P>,
+    {
+        let Some(table) = table else { return self };
+        let (axis, two) = (C::of(table.axis), C::constant(2.0));
+        let each = bodies.into_iter().zip(&self.bodies).zip(bars.into_iter().zip(UPRIGHT));
+        let each = each.map(|((body, moved), (bar, [about, change]))| {
+            let mut of = body.spread.map(C::of);
+            if of[1].value() != 0.0 {
+                of = [of[0].def(&s::J_XIU), of[1].def(&s::J_XIETAU), of[2].def(&s::J_ETAU)];
+            }
+            let about = bar.map(|bar| [spread(of, bar[0]).def(about), spread_change(of, bar).def(change)]);
+            (C::of(body.mass), moved.centre, about)
+        });
+        let all = each.chain(self.counterweight.map(|(mass, centre)| (mass, centre, None)));
+        let (mut whole, mut change) = (C::of(table.inertia), C::constant(0.0));
+        for (mass, [r, v, _], about) in all {
+            let reach = r.x - axis;
+            whole += mass * reach * reach;
+            change += two * (mass * (reach * v.x));
+            if let Some([spread, spread_change]) = about {
+                whole += spread;
+                change += spread_change;
+            }
+        }
+        let turn = [whole.def(&s::I_SL), change.def(&s::DI_SL)];
+        Moves { turn, ..self }
     }
 }
 
@@ -246,6 +287,12 @@ impl<T: Calc + DualNum> Bar<T> {
 pub(crate) fn spread<C: Calc>([xx, xy, yy]: [C; 3], along: Point<C>) -> C {
     let (along, across) = (along.x, -along.y);
     xx * along * along + xy * along * across * C::constant(2.0) + yy * across * across
+}
+
+/// How that changes with the coordinate, of a bar along a unit vector that changes so.
+pub(crate) fn spread_change<C: Calc>([xx, xy, yy]: [C; 3], [e, d]: [Point<C>; 2]) -> C {
+    let two = C::constant(2.0);
+    two * (xx * (e.x * d.x) + yy * (e.y * d.y) - xy * (e.x * d.y + d.x * e.y))
 }
 
 /// Mass times forward and upward distance from the centre of a body that lies as [`Body::spread`] says in the frame of

@@ -146,6 +146,9 @@ impl<P: Coordinate<P>> LevelParts<P> {
         if let Some(outdoors) = fittings.outdoors {
             dynamics = dynamics.outdoors(outdoors);
         }
+        if fitted.meets.slewing {
+            dynamics = dynamics.slewed_about(self.axis);
+        }
         if let Some(turning) = turning {
             dynamics = dynamics.with_slewing(Turntable {
                 axis: self.axis,

@@ -54,11 +54,7 @@ impl<const N: usize, const J: usize> Commanded<'_, N, J> {
         let mut crane = self.crane.clone();
         let ([speed, to], [gains, turns]) = (self.crane.dynamics.blows(), slopes.wind);
         crane.dynamics.put_wind([speed + gains * time, to + turns * time]);
-        if let Some(outdoors) = self.crane.dynamics.weather() {
-            crane
-                .dynamics
-                .put_weather(outdoors.weather.later(&slopes.weather, time));
-        }
+        crane.dynamics.put_later(&slopes.weather, time);
         Cow::Owned(crane)
     }
 

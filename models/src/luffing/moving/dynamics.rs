@@ -1,6 +1,7 @@
 //! A mechanism that moves, with what hangs on it and what it stands on; over which scalars it does.
 
 use std::cell::Cell;
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use num_dual::Dual64;
@@ -10,6 +11,7 @@ use crate::kernel::record::Rec;
 use crate::luffing::moving::bodies::{Pendulum, Turntable};
 use crate::luffing::moving::geared::Geared;
 use crate::luffing::moving::reduced::{Asked, CoordinateNames, Reduced, Reduces};
+use crate::luffing::moving::symbols as s;
 use crate::luffing::moving::weather::{Exposes, Outdoors, Weather};
 use crate::parts::air::AirDrag;
 use crate::parts::side_wind::SlewedArea;
@@ -57,6 +59,8 @@ pub struct Dynamics<P = f64> {
     ground: Option<P>,
     /// Wind on the mechanism's bodies, and the slope.
     outdoors: Option<Outdoors<P>>,
+    /// Speed at which it is slewed, in 1/s and in rad/s, where it is so whatever that takes.
+    slewed: Option<[P; 2]>,
     latest: Latest,
 }
 
@@ -96,8 +100,11 @@ impl<const N: usize> Coordinate for Gradient<N> {
         if let Some(geared) = &d.geared {
             r = r.with(geared.with_slope(at)?);
         }
-        if let Some(outdoors) = d.outdoors.as_ref().filter(|_| !d.is_calm()) {
-            r = r.outside(outdoors.to.with_slope(at, &outdoors.weather)?);
+        if !d.is_calm() {
+            let met = d.outdoors.as_ref();
+            let met = met.map(|outdoors| outdoors.to.with_slope(at, &outdoors.weather));
+            let omega = d.slewed.map(|[_, omega]| Dual64::from_re(omega));
+            r = r.outside(met.map_or(Some(None), |met| met.map(Some))?, omega);
         }
         let of = |x: Dual64| theta.chain(x);
         Some(Reduced {
@@ -108,11 +115,22 @@ impl<const N: usize> Coordinate for Gradient<N> {
             head: [r.head[0].map(of), r.head[1].map(of), r.head[2].map(of)],
             drive: [of(r.drive[0]), of(r.drive[1])],
             turn: r.turn.map(of),
-            weighed: r.weighed.map(|weighed| weighed.map(of)),
-            lead: r.lead.map(|lead| lead.map(of)),
+            beside: r.beside.map(of),
             shaft: r.shaft.map(|shaft| shaft.map(of)),
             outside: r.outside.map(|outside| outside.map(of)),
         })
+    }
+}
+
+impl Dynamics {
+    /// With wind, slope and slewing speed of a time (s) later, where they change at some rates.
+    pub(super) fn put_later(&mut self, rates: &Weather, time: f64) {
+        let weather = self
+            .outdoors
+            .as_ref()
+            .map_or(Weather::calm(), |outdoors| outdoors.weather);
+        let slewing = self.slewed.map_or(weather.slewing, |[n, _]| n);
+        self.put_weather(Weather { slewing, ..weather }.later(rates, time));
     }
 }
 
@@ -120,18 +138,24 @@ impl<P: Calc> Dynamics<P> {
     /// What it is at a coordinate (rad).
     fn reduced(&self, at: P) -> Option<Reduced<P>> {
         let r = self.indoors(at)?;
-        match &self.outdoors {
-            None => Some(r),
-            Some(outdoors) => Some(r.outside(outdoors.to.outside(at, &outdoors.weather)?)),
+        if self.outdoors.is_none() && self.slewed.is_none() {
+            return Some(r);
         }
+        let met = self
+            .outdoors
+            .as_ref()
+            .map(|outdoors| outdoors.to.outside(at, &outdoors.weather));
+        let met = met.map_or(Some(None), |met| met.map(Some))?;
+        Some(r.outside(met, self.slewed.map(|[_, omega]| omega)))
     }
 
-    /// Whether neither wind nor slope acts on its bodies now.
+    /// Whether neither wind nor slope acts on its bodies now, and nothing slews them.
     fn is_calm(&self) -> bool {
         self.outdoors.as_ref().is_none_or(|outdoors| outdoors.weather.is_calm())
+            && self.slewed.is_none_or(|[n, _]| n.value() == 0.0)
     }
 
-    /// The same without wind and slope.
+    /// The same without all that.
     fn indoors(&self, at: P) -> Option<Reduced<P>> {
         let r = self.mechanism.reduced(at, &self.asked)?;
         match &self.geared {
@@ -159,6 +183,7 @@ impl<P: Calc> Dynamics<P> {
             blows: [P::constant(0.0); 2],
             ground: None,
             outdoors: None,
+            slewed: None,
             latest: Latest::default(),
         }
     }
@@ -224,10 +249,25 @@ impl<P: Calc> Dynamics<P> {
         self.put_weather(weather);
     }
 
-    /// With wind and slope as they are, where it meets them.
+    /// Slewed at a speed that is given, still until it is told, about an axis (m).
+    #[must_use]
+    pub fn slewed_about(self, axis: P) -> Dynamics<P> {
+        let inertia = P::constant(0.0);
+        Dynamics {
+            slewed: Some([inertia; 2]),
+            ..self.with_slewing(Turntable { axis, inertia })
+        }
+    }
+
+    /// With wind, slope and slewing speed as they are, where it meets them.
     pub(crate) fn put_weather(&mut self, weather: Weather<P>) {
         if let Some(outdoors) = self.outdoors.take() {
             self.outdoors = Some(Outdoors::new(outdoors.to, weather, self.gravity));
+            self.latest = Latest::default();
+        }
+        if let Some(slewed) = &mut self.slewed {
+            let omega = P::constant(TAU) * weather.slewing;
+            *slewed = [weather.slewing, omega.def(&s::OMEGA_SM)];
             self.latest = Latest::default();
         }
     }
@@ -236,6 +276,11 @@ impl<P: Calc> Dynamics<P> {
     #[must_use]
     pub fn weather(&self) -> Option<&Outdoors<P>> {
         self.outdoors.as_ref()
+    }
+
+    /// Whether it meets wind or slope, or is slewed at a given speed.
+    pub(crate) fn is_outdoors(&self) -> bool {
+        self.outdoors.is_some() || self.slewed.is_some()
     }
 
     /// Whether there is air around the load, or wind on what slews.
@@ -284,10 +329,20 @@ impl<P: Calc> Dynamics<P> {
         self
     }
 
-    /// Where it slews.
+    /// Where slewing is a motion of its own.
     #[must_use]
     pub fn turntable(&self) -> Option<Turntable<P>> {
+        self.turns().filter(|_| self.slewed.is_none())
+    }
+
+    /// About what it turns, where slewing is a motion of its own or given.
+    pub(crate) fn turns(&self) -> Option<Turntable<P>> {
         self.asked.turntable
+    }
+
+    /// Angular velocity at which it is slewed (rad/s), where that is given.
+    pub(crate) fn slewed_at(&self) -> Option<P> {
+        self.slewed.map(|[_, omega]| omega)
     }
 
     #[must_use]

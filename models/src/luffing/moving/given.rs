@@ -69,15 +69,16 @@ pub struct Inputs<P = f64> {
     pub torn: [P; 2],
     /// Command of the brakes on the shaft of luffing's motor, in [0, 1].
     pub braking: P,
-    /// At the mechanism's bodies.
+    /// At the mechanism's bodies, with the speed at which it is slewed.
     pub weather: Weather<P>,
     /// Torque of those of them that act, in N·m: no input, but what follows from that.
     pub shaft: P,
 }
 
 /// Their symbols.
-pub const INPUTS: [&Symbol; 17] = *listed!(
-    s: M_A, M_S, U_V, P_P, M_M_H, M_B_H, V_H, M_SL, M_B_SL, V_AIR, CHI_AIR, Y_B1, Y_B2, U_BR, P_WM, V_WM, SIGMA_M
+pub const INPUTS: [&Symbol; 18] = *listed!(
+    s: M_A, M_S, U_V, P_P, M_M_H, M_B_H, V_H, M_SL, M_B_SL, V_AIR, CHI_AIR, Y_B1, Y_B2, U_BR, P_WM, V_WM, SIGMA_M,
+    N_SM
 );
 
 impl<P: Calc> Inputs<P> {
@@ -120,6 +121,7 @@ impl<P: Calc> Inputs<P> {
             self.weather.wind[0],
             self.weather.wind[1],
             self.weather.slope,
+            self.weather.slewing,
         ]
     }
 
@@ -142,6 +144,7 @@ impl<P: Calc> Inputs<P> {
             p_wm,
             v_wm,
             slope,
+            slewing,
         ]: [P; INPUTS.len()],
     ) -> Inputs<P> {
         let drive = |moment, brake| JointDrive { moment, brake };
@@ -159,6 +162,7 @@ impl<P: Calc> Inputs<P> {
             weather: Weather {
                 wind: [p_wm, v_wm],
                 slope,
+                slewing,
             },
             shaft: P::constant(0.0),
         }
@@ -329,7 +333,7 @@ numbered!(
 
 /// What belongs to a crane in motion and is no number of its equations: length of the load's rope at the start (m), end
 /// stops of slewing (rad), whether oil moves it, whether brakes are on the shaft of its motor, whether the rope of its drive may
-/// go slack, what of wind and slope it meets.
+/// go slack, what of wind and slope it meets and whether it is slewed as given.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Fitted {
     pub rope: Option<f64>,
@@ -341,12 +345,14 @@ pub struct Fitted {
 }
 group!(Fitted);
 
-/// What of wind and slope a mechanism meets in motion: pressure and speed of the wind on its bodies' areas, a slope.
+/// What of wind and slope a mechanism meets in motion: pressure and speed of the wind on its bodies' areas, a slope; and whether
+/// it is slewed at a given speed.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Meets {
     pub pressure: bool,
     pub speed: bool,
     pub slope: bool,
+    pub slewing: bool,
 }
 
 impl Meets {
@@ -354,8 +360,10 @@ impl Meets {
         pressure: false,
         speed: false,
         slope: false,
+        slewing: false,
     };
 
+    /// Whether wind or slope does.
     pub fn any(self) -> bool {
         self.pressure || self.slope
     }

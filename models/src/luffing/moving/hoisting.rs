@@ -63,6 +63,14 @@ pub struct LoadRope {
     pub ground: Option<GroundBelow<f64>>,
 }
 
+impl LoadRope {
+    /// Whether a motor turns the hoist's drum.
+    #[must_use]
+    pub fn has_motor(&self) -> bool {
+        matches!(self.hoist, HoistKind::Motor(_))
+    }
+}
+
 /// Ids of what the model takes for granted of load, rope and hoist; `fixed` where there is no rope.
 pub(super) fn load_taken(rope: Option<&LoadRope>, fixed: &'static str) -> impl Iterator<Item = &'static str> {
     let elastic = rope.is_some_and(|rope| rope.give.is_some());

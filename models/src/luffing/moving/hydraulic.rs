@@ -453,44 +453,6 @@ impl<const N: usize> Hydraulic<N> {
         either!(&self.crane, crane => crane.hoist_powers(&modes.of(y), &self.asked(moment)))
     }
 
-    /// The crane at rest at an angle (rad), its load hanging, the valve closed and the oil carrying it, both
-    /// chambers at `least` (Pa) or more. `None` where the linkage does not close or the cylinder cannot hold it.
-    #[must_use]
-    pub fn resting(&self, theta: f64, least: f64) -> Option<[f64; N]> {
-        let r = f64::reduced(self.dynamics(), theta)?;
-        let length = self.dynamics().pendulum().map_or(0.0, |p| p.length);
-        let mut y = [0.0; N];
-        y[0] = theta;
-        if N > FIXED {
-            match &self.crane {
-                Crane::Plane(_) => put(&mut y, &motion::MotionState::resting(theta, length).y),
-                Crane::Slewing(_) => put(&mut y, &space::SlewingState::resting(theta, length).y),
-            }
-        }
-        let still = Phase {
-            theta,
-            omega: 0.0,
-            swing: 0.0,
-            swing_rate: 0.0,
-        };
-        let [moment, _] = self.dynamics().hold(&r, &still, Reel::still(length));
-        let [bore, annulus] = self.cylinder.areas;
-        let force = moment / r.drive[1];
-        let back = least.max((least * bore - force) / annulus);
-        let push = (force + annulus * back) / bore;
-        if !push.is_finite() {
-            return None;
-        }
-        // Load-holding valves keep the oil from the ports, which the valve's middle relieves.
-        let parts = self.cylinder.parts;
-        let ports = match parts.and_then(|parts| parts.load_holding) {
-            Some(_) => [parts.and_then(|parts| parts.tank).map_or(0.0, |tank| tank.p_tank); 2],
-            None => [push, back],
-        };
-        y[2..6].copy_from_slice(&[ports[0], ports[1], push, back]);
-        Some(y)
-    }
-
     /// The smooth piece between two events, for the solver.
     #[must_use]
     pub fn between(&self, modes: Modes) -> Piece<'_, N> {

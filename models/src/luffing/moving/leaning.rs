@@ -11,13 +11,14 @@ use crate::parts::plane::Point;
 use crate::parts::slope::{SlopingGround, gravity};
 
 /// A moment of wind or slope: on the bodies in their plane, at the driving link; of a slope under a crane that slews, at the
-/// driving link and about the slewing axis.
+/// driving link and about the slewing axis. And that of centrifugal forces of a crane that is slewed, at the driving link.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outer {
     Wind,
     Slope,
     Lifting,
     Turning,
+    Centrifugal,
 }
 
 impl<P: Calc> Dynamics<P> {
@@ -44,7 +45,7 @@ impl<P: Calc> Dynamics<P> {
     /// M_γl = W_Gx sin γ cos ψ + W_Gy (1 − cos γ), as gravity leans forward and lacks upright, and
     /// M_γ = −(G_u r_u + W_sx) sin γ sin ψ. [virtual work; Ports001, 6.4]
     pub(crate) fn leaned<C: Coordinate<P>>(&self, r: &Reduced<C>, psi: C) -> Option<[C; 2]> {
-        let (slope, weighed) = self.ground_below::<C>().zip(r.weighed)?;
+        let (slope, weighed) = self.ground_below::<C>().zip(r.weighed())?;
         let ((steep, level), (_, ahead)) = (slope.gamma_s.sin_cos(), psi.sin_cos());
         let travel = weighed.travel;
         let lifts = travel.x * steep * ahead + travel.y * (C::constant(1.0) - level);
@@ -61,8 +62,9 @@ impl<P: Calc> Dynamics<P> {
         let r = P::reduced(self, at)?;
         let leaned = || psi.and_then(|psi| self.leaned(&r, psi));
         let found = match which {
-            Outer::Wind => r.outside.map(|it| it.wind),
-            Outer::Slope => r.outside.map(|it| it.slope),
+            Outer::Wind => r.outside.map(|[wind, ..]| wind),
+            Outer::Slope => r.outside.map(|[_, slope, _]| slope),
+            Outer::Centrifugal => r.outside.map(|[.., moment]| moment),
             Outer::Lifting => leaned().map(|[lifts, _]| lifts),
             Outer::Turning => leaned().map(|[_, turns]| turns),
         };
@@ -94,7 +96,7 @@ impl<P: Calc> Dynamics<P> {
 impl Dynamics {
     /// Potential energy of the bodies that a slope makes of what they have on level ground (J), at a slewing angle (rad).
     pub(crate) fn leaned_energy(&self, r: &Reduced<f64>, psi: f64) -> f64 {
-        let Some((slope, weighed)) = self.slope().zip(r.weighed) else {
+        let Some((slope, weighed)) = self.slope().zip(r.weighed()) else {
             return 0.0;
         };
         let ((steep, level), (_, ahead)) = (Calc::sin_cos(slope.gamma_s), Calc::sin_cos(psi));

@@ -250,7 +250,7 @@ impl<P: Calc> Level<P> {
     /// Under inputs; `None` where they are no part of its equations.
     #[must_use]
     pub fn told(&self, inputs: &Inputs<P>) -> Option<Level<P>> {
-        let around = self.dynamics().is_aired() || self.dynamics().weather().is_some();
+        let around = self.dynamics().is_aired() || self.dynamics().is_outdoors();
         let mut told = (self.has_oil() || around).then(|| self.clone())?;
         either!(&mut told, crane => crane.dynamics.put_around(inputs.wind, inputs.weather), system => {
             system.put_around(inputs.wind, inputs.weather);
@@ -328,7 +328,7 @@ impl<P: Coordinate<P>> Level<P> {
         Some(Instant {
             omega: y[1],
             alpha: rates[1],
-            turning: slews.then(|| own[1]),
+            turning: slews.then(|| own[1]).or(dynamics.slewed_at()),
             pull,
             tension,
             pushed: dynamics.pushed(y[0], slews.then(|| own[0]))?,

@@ -122,6 +122,7 @@ impl Fittings {
             (_, Some(14)) => self.meets.pressure,
             (_, Some(15)) => self.meets.speed,
             (_, Some(16)) => self.meets.slope,
+            (_, Some(17)) => self.meets.slewing,
             _ => true,
         }
     }
@@ -164,6 +165,7 @@ impl Fittings {
             _ if of(&[&s::P_WS, &s::M_WS]) => self.aside,
             _ if of(&[&s::M_WIND]) => self.meets.pressure,
             _ if of(&[&s::M_SLOPE]) => self.meets.slope,
+            _ if of(&[&s::M_OMEGA]) => self.meets.slewing,
             _ if of(&[&s::M_GAMMA, &s::M_GAMMA_L]) => self.leans,
             _ if of(listed!(s: PHI_R, CHI_R, S_Q)) => self.slews && self.rope,
             _ => true,

@@ -9,14 +9,14 @@
 //! | `grounded` | a load on the ground |
 //! | `control`, `regulated` | controllers of luffing, slewing and hoist; a crane under those that are not sampled |
 //! | `pulled`, `unwound`, `caught` | a crane that a rope luffs, which may go slack; that of a drive, whose drum has inertia |
-//! | `hydraulic` | the same moved by a cylinder |
-//! | `weather`, `exposed`, `leaning` | wind and slope, as told; what they come to on a mechanism's bodies; a slope under one that slews |
+//! | `hydraulic`, `held` | the same moved by a cylinder; how its oil holds it at rest |
+//! | `weather`, `exposed`, `leaning` | wind, slope and given slewing, as told; what they come to on a mechanism's bodies; a slope under one that slews |
 //! | `geared`, `brakes` | a motor whose shaft turns with the mechanism; brakes on it, which fall on after a delay |
 //! | `weighed` | the counterweight of a balance with its derivatives |
 //! | `level`, `shares`, `powers`, `energies` | what the levels have in common; what turns the driving link; what gives and takes power, and what blows do |
 //! | `inertia_forces`, `balance_in_motion` | weight and inertia of one body; what a balance does to its boom |
 //! | `given`, `symbols`, `listed` | inputs, states and memory as groups; quantities; which of them a scene has |
-//! | `scene`, `hoisting`, `oil_scene`, `weather_scene`, `levels` | keys of motion, of rope and hoist, of oil, of wind and slope; what descriptions of single booms have in common |
+//! | `scene`, `hoisting`, `oil_scene`, `weather_scene`, `step`, `levels` | keys of motion, of rope and hoist, of oil, of wind and slope; the solver's step; what descriptions of single booms have in common |
 //! | `stages`, `luffs` | rates, event indicators, reactions as stages; a component that has them |
 //! | `told` | what the book tells of all that |
 //! | `single` | a single boom in motion, from what a mechanism says of it |
@@ -41,6 +41,7 @@ pub mod geared;
 pub mod given;
 mod grounded;
 pub mod hanging;
+mod held;
 pub mod hoisting;
 pub mod hydraulic;
 pub mod inertia_forces;
@@ -62,6 +63,7 @@ pub mod single;
 pub mod space;
 pub mod stages;
 pub mod start;
+mod step;
 pub mod symbols;
 pub(crate) mod told;
 mod unwound;

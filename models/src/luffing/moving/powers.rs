@@ -21,6 +21,8 @@ pub(crate) struct Powers {
     /// What the air takes from the load, and the wind gives the bodies and all that slews.
     pub air: f64,
     pub wind: f64,
+    /// Of the centrifugal forces of a crane that is slewed.
+    pub slewed: f64,
 }
 
 /// Powers of a crane without oil, and the energy of all bodies (J); `None` where the linkage does not close.
@@ -46,12 +48,14 @@ where
     }
     let aside = MovingCrane::<N, J>::slewed(y).and_then(|psi| crane.dynamics.pushed_aside(psi));
     let aside = aside.map_or(0.0, |moment| moment * y[3]);
+    let [wind, _, centrifugal] = r.outside.unwrap_or_default();
     let powers = Powers {
         drive: drives[0],
         slewing: drives[1],
         hoist: hoist.given,
         air: crane.in_air(at)[1],
-        wind: r.outside.map_or(0.0, |outside| outside.wind * y[1]) + aside,
+        wind: wind * y[1] + aside,
+        slewed: centrifugal * y[1],
         friction: friction + hoist.lost,
         ..Powers::default()
     };
@@ -74,6 +78,7 @@ pub(super) fn oil_powers<const N: usize>(system: &Hydraulic<N>, modes: Modes, y:
         None => 0.0,
     };
     let hoist = system.hoist_powers(modes, y)?;
+    let [wind, _, centrifugal] = r.outside.unwrap_or_default();
     let powers = Powers {
         slewing: system.slewing.moment * turning,
         hoist: hoist.given,
@@ -81,7 +86,8 @@ pub(super) fn oil_powers<const N: usize>(system: &Hydraulic<N>, modes: Modes, y:
         throttles,
         compression,
         air: system.in_air(modes, y)?[1],
-        wind: r.outside.map_or(0.0, |outside| outside.wind * y[1]) + aside * turning,
+        wind: wind * y[1] + aside * turning,
+        slewed: centrifugal * y[1],
         friction: -system.reaction(y[0], y[1]) * y[1] - system.slewing_friction(modes, y)? * turning + hoist.lost,
         ..Powers::default()
     };

@@ -18,7 +18,8 @@ pub struct Reduced<C> {
     /// Inertia of all bodies and the counterweight at the driven bar (kg·m²), and its change by the angle.
     pub inertia: C,
     pub slope: C,
-    /// Moment of their weights, and of wind and slope where there are any, in N·m; positive lowers the driven bar.
+    /// Moment of their weights, less those of wind, slope and centrifugal forces where there are any, in N·m; positive lowers the
+    /// driven bar.
     pub moment: C,
     /// Height of their centres of gravity times their weights, on a slope the true one, in J.
     pub energy: C,
@@ -28,15 +29,34 @@ pub struct Reduced<C> {
     pub drive: [C; 2],
     /// Inertia about the slewing axis (kg·m²), and its change by the angle; zero where the crane does not slew.
     pub turn: [C; 2],
-    /// All weights, where a crane that slews stands on a slope.
-    pub weighed: Option<WeighedBodies<C>>,
-    /// Rope that one radian of the angle adds between head and load (m), and its change by the angle, where the mechanism
-    /// leads the load's rope away from the head; it does not slew then.
-    pub lead: Option<[C; 2]>,
+    pub beside: LeadsOrLeans<C>,
     /// Of the motor, whose inertia is a part of the above unless it is loose.
     pub shaft: Option<MotorShaft<C>>,
-    /// What wind and slope add to moment and energy, where it meets them.
-    pub outside: Option<Outside<C>>,
+    /// Moments of wind, slope and centrifugal forces for one radian of the angle (N·m), positive where they raise the driven bar,
+    /// where it meets any.
+    pub outside: Option<[C; 3]>,
+}
+
+/// What a mechanism does that few of them do, one thing at most: what leads the load's rope does not slew.
+#[derive(Clone, Copy, Debug)]
+pub enum LeadsOrLeans<C> {
+    Nothing,
+    /// Rope that one radian of the angle adds between head and load (m), and its change by the angle, where the mechanism
+    /// leads the load's rope away from the head.
+    Leads([C; 2]),
+    /// All weights, where a crane that slews stands on a slope.
+    Leans(WeighedBodies<C>),
+}
+
+impl<C: Calc> LeadsOrLeans<C> {
+    /// Over another scalar.
+    pub fn map<D>(self, f: impl Fn(C) -> D) -> LeadsOrLeans<D> {
+        match self {
+            LeadsOrLeans::Nothing => LeadsOrLeans::Nothing,
+            LeadsOrLeans::Leads(lead) => LeadsOrLeans::Leads(lead.map(f)),
+            LeadsOrLeans::Leans(weighed) => LeadsOrLeans::Leans(weighed.map(f)),
+        }
+    }
 }
 
 /// The shaft of a motor at one angle of the driving link: its turn for one radian of that, its inertia there (kg·m²), and how
@@ -102,21 +122,37 @@ impl<C: Calc> MotorShaft<C> {
 }
 
 impl<C: Calc> Reduced<C> {
+    /// As [`LeadsOrLeans::Leads`] has it.
+    pub fn lead(&self) -> Option<[C; 2]> {
+        match self.beside {
+            LeadsOrLeans::Leads(lead) => Some(lead),
+            _ => None,
+        }
+    }
+
+    /// As [`LeadsOrLeans::Leans`] has it.
+    pub fn weighed(&self) -> Option<WeighedBodies<C>> {
+        match self.beside {
+            LeadsOrLeans::Leans(weighed) => Some(weighed),
+            _ => None,
+        }
+    }
+
     /// How fast the load's rope is paid out at the head (m/s): by the hoist at a rate (m/s), and by the mechanism at its
     /// angular velocity (rad/s).
     pub fn paid(&self, rate: C, omega: C) -> C {
-        self.lead.map_or(rate, |[lead, _]| rate + lead * omega)
+        self.lead().map_or(rate, |[lead, _]| rate + lead * omega)
     }
 
     /// Arm of the rope's pull about the driven bar (m), of which `travel` (m) is the head's along the rope.
     pub fn arm(&self, travel: C) -> C {
-        self.lead.map_or(travel, |[lead, _]| travel + lead)
+        self.lead().map_or(travel, |[lead, _]| travel + lead)
     }
 
     /// What luffing at an angular velocity (rad/s) adds to the acceleration of the rope's length (m/s²), but for that of the
     /// bar.
     pub fn bend(&self, omega: C) -> Option<C> {
-        self.lead.map(|[_, change]| change * omega.square())
+        self.lead().map(|[_, change]| change * omega.square())
     }
 }
 
@@ -153,13 +189,24 @@ impl<C: Calc> Reduced<C> {
         self.shaft.as_ref().filter(|shaft| !shaft.loose)
     }
 
-    /// With wind and slope.
+    /// With wind and slope, and slewed at an angular velocity (rad/s), as far as it is: M_Ω = Ω² J_sl′ / 2. [Lagrange]
     #[must_use]
-    pub fn outside(self, outside: Outside<C>) -> Reduced<C> {
+    pub fn outside(self, met: Option<Outside<C>>, slewing: Option<C>) -> Reduced<C> {
+        let mut found = [C::constant(0.0); 3];
+        let (mut moment, mut energy) = (self.moment, self.energy);
+        if let Some(met) = met {
+            (found[0], found[1]) = (met.wind, met.slope);
+            moment = (moment - met.wind - met.slope).def(&s::M_WO);
+            energy += met.energy;
+        }
+        if let Some(omega) = slewing {
+            found[2] = (C::constant(0.5) * omega.square() * self.turn[1]).def(&s::M_OMEGA);
+            moment = (moment - found[2]).def(&s::M_WC);
+        }
         Reduced {
-            moment: (self.moment - outside.wind - outside.slope).def(&s::M_WO),
-            energy: self.energy + outside.energy,
-            outside: Some(outside),
+            moment,
+            energy,
+            outside: Some(found),
             ..self
         }
     }
@@ -203,11 +250,14 @@ impl<C: Calc> Reduced<C> {
             head: moves.head,
             drive: moves.drive,
             turn: moves.turn,
-            weighed: moves.weighed.map(|[forward, ahead]| WeighedBodies {
-                forward,
-                travel: Point::new(ahead, moment),
-            }),
-            lead: moves.lead,
+            beside: match (moves.lead, moves.weighed) {
+                (Some(lead), _) => LeadsOrLeans::Leads(lead),
+                (None, Some([forward, ahead])) => LeadsOrLeans::Leans(WeighedBodies {
+                    forward,
+                    travel: Point::new(ahead, moment),
+                }),
+                (None, None) => LeadsOrLeans::Nothing,
+            },
             shaft: None,
             outside: None,
         }

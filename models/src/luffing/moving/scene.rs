@@ -10,9 +10,10 @@ use crate::luffing::moving::control::reading::Controllers;
 use crate::luffing::moving::given::{Constants, CylinderOil, Inputs, Meets};
 use crate::luffing::moving::hoisting::{HoistKind, LoadRope, hoisting, load_rope, load_taken, surround};
 use crate::luffing::moving::oil_scene::{oil_drive, straight_beside_oil};
+use crate::luffing::moving::step::step;
 use crate::luffing::moving::symbols as s;
 use crate::luffing::moving::weather::Weather;
-use crate::luffing::moving::weather_scene::{aside, blown, leaning, meets, not_met};
+use crate::luffing::moving::weather_scene::{aside, meets, not_met, rails};
 use crate::luffing::resistances::train::{BRAKE, MOTOR};
 use crate::parts::air::AIR;
 use crate::parts::control::reading::TABLE;
@@ -21,7 +22,7 @@ use crate::parts::hanging::too_short;
 use crate::parts::hoist::HoistCommand;
 use crate::parts::hydraulics::parts::OilParts;
 use crate::parts::joint::JointDrive;
-use crate::parts::motion::{Motion, short_step};
+use crate::parts::motion::Motion;
 use crate::parts::side_wind::SlewedArea;
 use crate::parts::slope::{SLOPE, SlopingGround};
 use crate::parts::turntable::{SlewingJoint, too_fast, without_inertia};
@@ -31,7 +32,7 @@ use crate::parts::turntable_control;
 const DYNAMICS: &[Key] = keys! { s:
     C_V >= 0 [optional], M_F >= 0 [optional], G > 0 [optional], STEP > 0 [optional],
     M_A [over_time, optional], M_S >= 0 [over_time, optional], T_S > 0 [optional], V_H [in_steps, optional], A_H > 0 [optional], L_R > 0 [optional], PHI_R [optional], U_BR [in_steps, optional],
-    P_WM [over_time, optional], V_WM [over_time, optional], SIGMA_M [over_time, optional]
+    P_WM [over_time, optional], V_WM [over_time, optional], SIGMA_M [over_time, optional], N_SM [over_time, optional]
 };
 
 /// Keys of `[luffing.dynamics]`, those of the bodies first.
@@ -107,7 +108,7 @@ pub struct Moving {
     pub braked: bool,
     /// Whether the rope of a drive holds it.
     pub roped: bool,
-    /// What of wind and slope it meets.
+    /// What of wind and slope it meets, and whether it is slewed at a given speed.
     pub meets: Meets,
     /// Where the wind acts on what slews.
     pub area: Option<SlewedArea>,
@@ -144,11 +145,13 @@ impl Moving {
                 .then_some(if self.geared { "drive_slack" } else { "drive_taut" }),
             self.meets.pressure.then_some("wind_in_motion"),
             self.meets.slope.then_some("slope_in_motion"),
+            self.meets.slewing.then_some("slewed_as_given"),
             self.area.map(|_| "wind_aside_in_motion"),
             self.slewing.and_then(|it| it.slope).map(|_| "slope_under_slewing"),
         ];
-        let shaft = shaft.into_iter().flatten();
-        load_taken(self.rope.as_ref(), fixed).chain(shaft).chain(controls)
+        load_taken(self.rope.as_ref(), fixed)
+            .chain(shaft.into_iter().flatten())
+            .chain(controls)
     }
 
     /// With its load fixed to the head.
@@ -161,7 +164,7 @@ impl Moving {
     /// Whether a motor turns the hoist's drum.
     #[must_use]
     pub fn has_motor(&self) -> bool {
-        self.rope.is_some_and(|rope| matches!(rope.hoist, HoistKind::Motor(_)))
+        self.rope.as_ref().is_some_and(LoadRope::has_motor)
     }
 
     /// Whether its hoist follows its command at once.
@@ -194,9 +197,7 @@ impl Moving {
             Some(table) => Some(slewing(v, table, rope.is_some(), found)?),
             None => None,
         };
-        let hoist = rope
-            .filter(|rope| matches!(rope.hoist, HoistKind::Motor(_)))
-            .map(|_| [hoisting; 2]);
+        let hoist = rope.filter(LoadRope::has_motor).map(|_| [hoisting; 2]);
         let drives = [Some([v, table]), v.table("slewing").map(|table| [table; 2]), hoist];
         let controllers = Controllers::read(drives, oil.is_some());
         let controllers = controllers.map_err(|refused| found.push(refused)).ok()?;
@@ -205,16 +206,13 @@ impl Moving {
         let geared = v.has("drive") && oil.is_none() && on_shaft(&MOTOR);
         let braked = geared && on_shaft(&BRAKE);
         found.extend(no_brake(table, braked));
-        let meets = meets(v, slewing.is_some());
-        found.extend(not_met(table, meets, slewing.is_some()));
+        let meets = meets(v, table, [slewing.is_some(), rope.is_some()]);
+        found.extend(not_met(table, meets, [slewing.is_some(), rope.is_some()]));
         let mut strongest = inputs(v, [table, hoisting], Values::greatest);
         if let Some(controllers) = &controllers {
             controllers.limit(&mut strongest);
         }
-        let quickest = quickest(v, table, hoisting, (bodies.bar, &strongest), gravity);
-        let longest = (quickest * STEP_PART).max(STEP);
-        let least = (longest * SHORTEST_STEP[0]).min(quickest * SHORTEST_STEP[1]);
-        found.extend(short_step(table, &s::STEP, [least, longest]));
+        let step = step(v, [table, hoisting], (bodies.bar, &strongest), gravity, found);
         Some(Moving {
             slewing,
             oil,
@@ -224,7 +222,7 @@ impl Moving {
                 c_v: n(&s::C_V).unwrap_or(0.0),
                 m_f: n(&s::M_F).unwrap_or(0.0),
                 g: gravity,
-                step: n(&s::STEP).unwrap_or(longest),
+                step,
             },
             inputs: inputs(v, [table, hoisting], Values::number),
             strongest,
@@ -263,52 +261,11 @@ fn inputs(v: &Values, [dynamics, hoisting]: [&Values; 2], of: fn(&Values, &str) 
         weather: Weather {
             wind: [&s::P_WM, &s::V_WM].map(|symbol| number(Some(dynamics), symbol)),
             slope: number(Some(dynamics), &s::SIGMA_M),
+            slewing: number(Some(dynamics), &s::N_SM),
         },
         shaft: 0.0,
         wind: [&s::V_AIR, &s::CHI_AIR].map(|symbol| number(v.table(AIR.name), symbol)),
     }
-}
-
-/// Longest step of the solver where a scene gives none, in s, and of a crane so large that nothing about it is as quick,
-/// as a part of the least of its times.
-const STEP: f64 = 0.01;
-const STEP_PART: f64 = 0.002;
-
-/// The shortest step that may be given, as a part of the one that is taken where none is, or of the least of its times if that
-/// is less: below it a solver of fourth order adds up rounding.
-const SHORTEST_STEP: [f64; 2] = [0.05, 1.25e-3];
-
-/// The least time (s) in which something happens: what swings as bar and rope are long, what friction, drives and a rope
-/// that gives way do with the inertia of the driven bar alone, of what slews, of the load and of the hoist's drum.
-fn quickest(
-    v: &Values,
-    dynamics: &Values,
-    hoisting: &Values,
-    ([bar, inertia], strongest): ([&Symbol; 2], &Inputs),
-    gravity: f64,
-) -> f64 {
-    let of = |table: &Values, symbol: &Symbol| table.greatest(symbol.id).unwrap_or(0.0);
-    let (bar, inertia) = (of(v, bar), of(dynamics, inertia));
-    let rope = hoisting.number(s::L_R.id).unwrap_or(f64::INFINITY);
-    let mut times = vec![
-        (bar.min(rope) / gravity).sqrt(),
-        inertia / of(dynamics, &s::C_V),
-        (inertia / strongest.drives[0].moment.abs()).sqrt(),
-    ];
-    let drum = of(hoisting, &s::J_H) / of(hoisting, &s::R_H).powi(2);
-    for mass in [v.number("Q").unwrap_or(0.0) / gravity, drum] {
-        times.push((mass / of(hoisting, &s::C_R)).sqrt());
-        times.push(mass / of(hoisting, &s::D_R));
-    }
-    if let Some(table) = v.table("slewing") {
-        let inertia = of(table, &s::J_SL);
-        times.push(inertia / of(table, &s::C_SL));
-        times.push((inertia / strongest.drives[1].moment.abs()).sqrt());
-        times.push((inertia / blown(v, table)).sqrt());
-        times.push((inertia / leaning(table)).sqrt());
-    }
-    // What does not act, on what has no inertia, has no time.
-    times.into_iter().fold(f64::INFINITY, f64::min)
 }
 
 /// Most that `t_s` may be, over the time that the working range takes at its speed.
@@ -469,7 +426,7 @@ fn slewing(v: &Values, table: &Values, swings: bool, found: &mut Vec<Diagnostic>
     let mut mistake = |place, what: String, label: &str, help: &str| {
         found.push(Diagnostic::new(place, what, label).help(help));
     };
-    if let Some(balance) = v.table("balance").filter(|b| b.text("kind") == Some("straight_rail")) {
+    if let Some(balance) = v.table("balance").filter(|balance| rails(balance)) {
         mistake(
             balance.span.clone(),
             "slewing with a counterweight on a straight rail".to_owned(),

@@ -14,13 +14,14 @@ use crate::kernel::group::One;
 use crate::kernel::record::Rec;
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::Fault;
-use crate::luffing::moving::balance_in_motion::BalanceInMotion;
+use crate::luffing::moving::balance_in_motion::{BalanceInMotion, PosedCounterweight};
+use crate::luffing::moving::bodies::{Turntable, deviation};
 use crate::luffing::moving::built::{HoistParts, LevelParts, Outfit};
 use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
 use crate::luffing::moving::exposed::Exposed;
 use crate::luffing::moving::geared::Geared;
 use crate::luffing::moving::given::{Constants, Fitted};
-use crate::luffing::moving::inertia_forces::weight_and_inertia;
+use crate::luffing::moving::inertia_forces::{PosedBody, weight_and_inertia};
 use crate::luffing::moving::level::{CraneAt, Level};
 use crate::luffing::moving::reduced::{Asked, CoordinateNames, Reduced, Reduces, Renewed};
 use crate::luffing::moving::shares::Instant;
@@ -63,16 +64,17 @@ pub trait SingleBoom: Copy + Send + Sync + 'static {
     /// With the mass (kg) of a load on no rope that swings, under gravity (m/s²).
     fn bodies<P: Calc>(own: &Self::Own<P>, fixed: Option<P>, gravity: P) -> Self::Bodies<P>;
 
-    /// A load that hangs straight down at any time: its mass (kg), what it moves by for one radian of the boom's angle, and how
-    /// that changes (m); `None` where a body has it, or where a rope does on which it swings.
-    fn load<P: Over<P>>(_: &Self::Bodies<P>, _: P) -> Option<(P, [Point<P>; 2])> {
+    /// A load that hangs straight down at any time: its mass (kg), where it is (m), what it moves by for one radian of the boom's
+    /// angle, and how that changes (m); `None` where a body has it, or where a rope does on which it swings.
+    fn load<P: Over<P>>(_: &Self::Bodies<P>, _: P) -> Option<(P, [Point<P>; 3])> {
         None
     }
 
-    /// At the boom's angle (rad), the counterweight by its mass (kg) and place (m); `None` where there is no such place.
+    /// Under gravity (m/s²), about a slewing axis where it turns about one, at the boom's angle (rad), the counterweight by its mass
+    /// (kg) and place (m); `None` where there is no such place.
     fn at<P: Calc, C: Over<P>>(
         bodies: &Self::Bodies<P>,
-        gravity: P,
+        around: (P, Option<&Turntable<P>>),
         phi: C,
         counterweight: Option<Weight<C>>,
     ) -> Option<Reduced<C>>;
@@ -121,16 +123,16 @@ impl<B: SingleBoom, P: Weighing<P>> Reduces<P> for Heavy<B, P>
 where
     Dual64: Over<P>,
 {
-    fn reduced(&self, phi: P, _: &Asked<P>) -> Option<Reduced<P>> {
+    fn reduced(&self, phi: P, asked: &Asked<P>) -> Option<Reduced<P>> {
         let weight = self.balance.as_ref().map(|balance| P::weighed(balance, phi));
         let weight = weight.map_or(Some(None), |found| found.map(Some))?;
-        B::at(&self.bodies, self.gravity, phi, weight)
+        B::at(&self.bodies, (self.gravity, asked.turntable.as_ref()), phi, weight)
     }
 
-    fn with_slope(&self, phi: Dual64, _: &Asked<P>) -> Option<Reduced<Dual64>> {
+    fn with_slope(&self, phi: Dual64, asked: &Asked<P>) -> Option<Reduced<Dual64>> {
         let weight = self.balance.as_ref().map(|balance| balance.with_slope(phi));
         let weight = weight.map_or(Some(None), |found| found.map(Some))?;
-        B::at(&self.bodies, self.gravity, phi, weight)
+        B::at(&self.bodies, (self.gravity, asked.turntable.as_ref()), phi, weight)
     }
 
     fn names(&self) -> CoordinateNames {
@@ -147,6 +149,8 @@ where
 pub struct Acting<C> {
     pub at: Instant<C>,
     pub balance: Option<BalanceInMotion<C>>,
+    /// Place of the axis about which it turns, where it does, in m.
+    axis: Option<C>,
 }
 results! { Acting as a => {
     F_AX: a.at.pull.ok_or_else(absent)?.x;
@@ -163,12 +167,14 @@ impl<P: Coordinate<P>> Acting<P> {
         P: Weighing<P>,
     {
         let (zero, phi) = (P::constant(0.0), at.y[0]);
+        let axis = level.dynamics().turns().map(|table| table.axis);
+        let reach = |x: P| axis.map_or(zero, |axis| x - axis);
         let instant = level.instant(at, zero)?;
         let balance = heavy.balance.as_ref().map(|balance| P::posed(balance, phi));
         let balance = balance.map_or(Some(None), |found| found.map(Some))?;
         let instant = match B::load(&heavy.bodies, phi).filter(|_| instant.pull.is_none()) {
-            Some((mass, travel)) => {
-                let pull = weight_and_inertia(mass, travel, zero, &instant, heavy.gravity);
+            Some((mass, [place, travel, bend])) => {
+                let pull = weight_and_inertia(mass, [travel, bend], reach(place.x), &instant, heavy.gravity);
                 let pull = plane::def(pull, [&s::F_AX, &s::F_AY]);
                 // It hangs by its whole weight, whatever way that leans.
                 let plumb = instant.pushed.map_or(-pull.y, |pushed| mass * pushed.lean.y - pull.y);
@@ -182,13 +188,28 @@ impl<P: Coordinate<P>> Acting<P> {
             None => instant,
         };
         Some(Acting {
-            balance: balance.map(|it| BalanceInMotion::new(&it, &instant, heavy.gravity)),
+            balance: balance.map(|it| {
+                let reach = reach(it.reach);
+                BalanceInMotion::new(&PosedCounterweight { reach, ..it }, &instant, heavy.gravity)
+            }),
             at: instant,
+            axis,
         })
     }
 }
 
 impl<C: Calc> Acting<C> {
+    /// A body as it turns about the axis, where it does: with its centre forward of the mechanism's origin (m), and how it lies in
+    /// the frame of a bar along a unit vector.
+    pub fn turning(&self, body: PosedBody<C>, forward: C, (spread, along): ([C; 3], Point<C>)) -> PosedBody<C> {
+        let Some(axis) = self.axis else { return body };
+        PosedBody {
+            reach: forward - axis,
+            deviation: deviation(spread, along),
+            ..body
+        }
+    }
+
     /// How far the moment on the boom that equilibrium asks for (N·m) is from that of drive, friction and end stop, and the
     /// greatest of what they are made of: of forces (N) on arms (m) what they have at most.
     #[must_use]

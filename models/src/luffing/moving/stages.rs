@@ -194,12 +194,12 @@ pairs! {
     standing: Ground, Height with GroundBelow<C>;
 }
 
-/// What acts on the driven bar besides what resists: moments of wind and slope (N·m), powers of the motor and, on the drum of a
+/// What acts on the driven bar besides what resists: moments of wind, slope and centrifugal forces (N·m), powers of the motor and, on the drum of a
 /// slack rope, of its brakes (W).
 #[derive(Clone, Copy, Debug)]
 pub struct BarActed<C>([C; ACTING.len()]);
 
-const ACTING: [&Symbol; 4] = *listed!(s: M_WIND, M_SLOPE, P_ML, P_BL);
+const ACTING: [&Symbol; 5] = *listed!(s: M_WIND, M_SLOPE, M_OMEGA, P_ML, P_BL);
 
 rows!(BarActed, ACTING);
 
@@ -213,6 +213,7 @@ pub fn acted<C: Scalar>(
     let all = [
         MotionResult::Outer(Outer::Wind),
         MotionResult::Outer(Outer::Slope),
+        MotionResult::Outer(Outer::Centrifugal),
         MotionResult::Motor,
         MotionResult::DrumBrake,
     ];

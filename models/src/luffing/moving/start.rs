@@ -20,7 +20,8 @@ use crate::luffing::moving::dynamics::Coordinate;
 use crate::luffing::moving::given::{CraneStates, Fitted, MOST_STATES, STATES, Slack, SlewedParts, order};
 use crate::luffing::moving::hoisting::HoistKind;
 use crate::luffing::moving::hydraulic::{FIXED, Modes};
-use crate::luffing::moving::level::{CraneAt, Level};
+
+use crate::luffing::moving::level::{CraneAt, Level, first};
 use crate::luffing::moving::luffs::{Luffs, MotionSources};
 use crate::luffing::moving::motion::{self, MotionState};
 use crate::luffing::moving::scene::Moving;
@@ -142,12 +143,12 @@ fn resting(moving: &Moving, theta: f64) -> [f64; MOST_STATES] {
 
 /// Of a cylinder with its valve closed, the oil carrying the crane, which else stands and hangs as without oil.
 fn held_by_oil(level: &Level, at: &mut CraneAt) -> Option<()> {
-    let theta = at.y[0];
-    match level {
-        Level::Free(_) | Level::Slewing(_) | Level::Hauled(_) | Level::HauledSlewing(_) => {}
-        Level::Fixed(system) => at.y[2..FIXED].copy_from_slice(&system.resting(theta, LEAST_PRESSURE)?[2..]),
-        Level::Hanging(system) => at.y[2..FIXED].copy_from_slice(&system.resting(theta, LEAST_PRESSURE)?[2..FIXED]),
-    }
+    let oil = match level {
+        Level::Free(_) | Level::Slewing(_) | Level::Hauled(_) | Level::HauledSlewing(_) => return Some(()),
+        Level::Fixed(system) => system.carrying(first(&at.y), LEAST_PRESSURE)?,
+        Level::Hanging(system) => system.carrying(&at.y, LEAST_PRESSURE)?,
+    };
+    at.y[2..6].copy_from_slice(&oil);
     Some(())
 }
 

@@ -53,6 +53,7 @@ symbols! {
     P_WM: "p_wm" "p_\"wm\"" PA / PA, "Pressure of the wind on the areas of the bodies in motion; positive from the rear.", "[Ports001, 5.5.4]";
     V_WM: "v_wm" "v_\"wm\"" M_PER_S / M_PER_S [from_to(-70.0, 70.0)], "Wind speed at the bodies in motion, whose pressure adds to the given one; positive from the rear.", "[Ports001, 5.5.4]";
     SIGMA_M: "sigma_m" "sigma_\"m\"" RAD / DEG [within(Range::new(-FRAC_PI_6, FRAC_PI_6))], "Slope of the ground in motion; positive where the front is lower.", "input";
+    N_SM: "n_sm" "n_\"sm\"" PER_S / PER_MIN [from_to(-0.5, 0.5)], "Speed at which the crane is slewed in motion, whatever that takes.", "input";
     T_S: "t_s" "t_s" S / S [positive], "Time in which drives come up to their speed, and stop, in the manoeuvres of the book.", "input";
     V_H: "v_h" "v_h" M_PER_S / M_PER_S, "Speed of the hoist rope at the head as commanded; positive lowers the load.", "input";
     A_H: "a_h" "a_h" M_PER_S2 / M_PER_S2 [positive], "Acceleration with which the hoist comes up to its command; without it a change of the command is a blow.", "input";
@@ -108,7 +109,10 @@ symbols! {
     P_WI: "p_wi" "p_\"w\"" PA / PA, "Pressure of the wind on the bodies, by pressure and speed; positive from the rear.", "[Ports001, 5.5.4]";
     M_WIND: "M_wind" "M_\"w\"" N_M / KN_M, "Moment of the wind on the bodies for one radian of the driving link; positive turns it counter-clockwise.", "virtual work";
     M_SLOPE: "M_slope" "M_sigma" N_M / KN_M, "Moment of weights by the slope for one radian of the driving link, with that of a load that hangs on no rope; positive turns it counter-clockwise.", "virtual work";
+    OMEGA_SM: "Omega_sm" "Omega_\"sm\"" RAD_PER_S / DEG_PER_S, "Angular velocity at which the crane is slewed.", "derived";
+    M_OMEGA: "M_Omega" "M_Omega" N_M / KN_M, "Moment of the bodies' centrifugal forces for one radian of the driving link, with that of a load that hangs on no rope; positive turns it counter-clockwise.", "virtual work";
     M_WO: "M_Wo" "M_\"Wo\"" N_M / KN_M, "Moment of the weights less those of wind and slope; positive lowers the driving link.", "virtual work";
+    M_WC: "M_Wc" "M_\"Wc\"" N_M / KN_M, "Moment of the weights, less those of wind and slope where there are any, less that of the centrifugal forces; positive lowers the driving link.", "virtual work";
     W_SX: "W_sx" "W_(s x)" N_M / KN_M, "Weights of all bodies times their distance forward of the slewing axis.", "derived";
     M_GAMMA_L: "M_gammal" "M_(gamma \"l\")" N_M / KN_M, "Moment of weights by the slope under a crane that slews, for one radian of the driving link, with that of a load that hangs on no rope; positive turns it counter-clockwise.", "virtual work";
     A_GAMMA_X: "a_gamma.x" "a_(gamma x)" M_PER_S2 / M_PER_S2, "Gravity forward in the frame that slews, on a slope.", "derived";
@@ -166,7 +170,14 @@ symbols! {
     D_S: "d_s" "d_s" N_M_S / KN_M_S, "Damping of the end stops.", "derived";
 
     // The same of a crane that slews.
-    I_SL: "I_sl" "I_\"sl\"" KG_M2 / T_M2, "Inertia of the whole crane about the slewing axis, without the load.", "dual numbers";
+    J_XIU: "J_xiu" "J_(xi \"u\")" KG_M2 / T_M2, "Mass of the body that has the load fixed to it, with that, times squares of distances from its centre of gravity, along its bar.", "derived";
+    J_XIETAU: "J_xietau" "J_(xi eta \"u\")" KG_M2 / T_M2, "The same with the product of the distances along the bar and to its left.", "derived";
+    J_ETAU: "J_etau" "J_(eta \"u\")" KG_M2 / T_M2, "The same with squares of distances to the left of the bar.", "derived";
+    I_UB: "I_ub" "I_(\"u\" b)" KG_M2 / T_M2, "Inertia of the boom about an upright axis through its centre of gravity.", "derived";
+    DI_UB: "dI_ub" "I'_(\"u\" b)" KG_M2 / T_M2, "Change of that for one radian of the driving link.", "derived";
+    I_UL: "I_ul" "I_(\"u\" l)" KG_M2 / T_M2, "Inertia of link or trunk about an upright axis through its centre of gravity.", "derived";
+    DI_UL: "dI_ul" "I'_(\"u\" l)" KG_M2 / T_M2, "Change of that for one radian of the driving link.", "derived";
+    I_SL: "I_sl" "I_\"sl\"" KG_M2 / T_M2, "Inertia of the whole crane about the slewing axis, without a load that hangs on its rope.", "dual numbers";
     DI_SL: "dI_sl" "I'_\"sl\"" KG_M2 / T_M2, "Change of the inertia about the slewing axis for one radian of the driving link.", "dual numbers";
     M_NET_SL: "M_netsl" "M_\"N sl\"" N_M / KN_M, "Moment that accelerates slewing, the load on its rope left aside.", "Lagrange";
 
@@ -202,6 +213,7 @@ symbols! {
     W_H: "W_h" "W_h" J / KJ, "Work of the hoist on the rope.", "derived";
     W_P: "W_P" "W_P" J / KJ, "Work of the pump.", "derived";
     W_WIND: "W_wind" "W_\"w\"" J / KJ, "Work of the wind on the bodies and on all that slews.", "derived";
+    W_OMEGA: "W_Omega" "W_Omega" J / KJ, "Work of the centrifugal forces.", "derived";
     W_R: "W_R" "W_R" J / KJ, "Energy that friction, brakes, end stops and a rope's damping have taken.", "derived";
     W_T: "W_T" "W_T" J / KJ, "Energy that edges, lines, relief valves and leakage have taken.", "derived";
     W_BLOW: "W_blow" "W_\"blow\"" J / KJ, "Energy that blows at end stops and of the rope have taken, the hoist's share in them included: what it gives by a blow counts negative.", "equations of motion";

@@ -1,4 +1,4 @@
-//! Wind and slope in motion: how they are told, and what the equations of motion have of them.
+//! Wind, slope and a given slewing speed in motion: how they are told, and what the equations of motion have of them.
 
 use std::sync::Arc;
 
@@ -9,27 +9,30 @@ use crate::luffing::moving::symbols as s;
 use crate::luffing::resistances::placed::BARS;
 use crate::parts::plane::{self, Point};
 
-/// How the wind blows and the ground lies.
+/// How the wind blows, the ground lies and the crane is slewed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Weather<C = f64> {
     /// Pressure (Pa), and speed (m/s) that adds to it; positive from the rear.
     pub wind: [C; 2],
     /// In rad; positive where the front is lower.
     pub slope: C,
+    /// Slewing speed, in 1/s.
+    pub slewing: C,
 }
 
 impl<C: Calc> Weather<C> {
-    /// No wind on level ground.
+    /// No wind on level ground, and no slewing.
     pub fn calm() -> Weather<C> {
         let zero = C::constant(0.0);
         Weather {
             wind: [zero; 2],
             slope: zero,
+            slewing: zero,
         }
     }
 
     pub fn is_calm(&self) -> bool {
-        [self.wind[0], self.wind[1], self.slope].map(C::value) == [0.0; 3]
+        [self.wind[0], self.wind[1], self.slope, self.slewing].map(C::value) == [0.0; 4]
     }
 
     /// The same over another scalar, each with the one in its place.
@@ -37,6 +40,7 @@ impl<C: Calc> Weather<C> {
         Weather {
             wind: [0, 1].map(|i| f(self.wind[i], other.wind[i])),
             slope: f(self.slope, other.slope),
+            slewing: f(self.slewing, other.slewing),
         }
     }
 }
@@ -55,16 +59,6 @@ pub struct Outside<C> {
     pub wind: C,
     pub slope: C,
     pub energy: C,
-}
-
-impl<C> Outside<C> {
-    pub fn map<D>(self, f: impl Fn(C) -> D) -> Outside<D> {
-        Outside {
-            wind: f(self.wind),
-            slope: f(self.slope),
-            energy: f(self.energy),
-        }
-    }
 }
 
 /// What acts on the bodies one by one: acceleration by the slope, beside gravity on level ground (m/s²); force of the wind

@@ -11,10 +11,15 @@ use crate::parts::air::{AIR, AROUND};
 use crate::parts::side_wind::{SlewedArea, half};
 use crate::parts::slope::{SLOPE, SlopingGround};
 
-/// What of wind and slope a mechanism meets in motion: what its cases have, a slope where its plane does not turn.
-pub(super) fn meets(v: &Values, slews: bool) -> Meets {
+/// What of wind and slope a mechanism meets in motion: what its cases have, a slope where its plane does not turn. It is slewed at a
+/// given speed where that is told, slewing is no motion of its own and no load swings.
+pub(super) fn meets(v: &Values, dynamics: &Values, [slews, swings]: [bool; 2]) -> Meets {
+    let slewing = !slews && !swings && dynamics.has(s::N_SM.id) && !v.table("balance").is_some_and(rails);
     let Some(cases) = v.table("cases") else {
-        return Meets::NOTHING;
+        return Meets {
+            slewing,
+            ..Meets::NOTHING
+        };
     };
     let any = |tables: &[Values], symbol: &Symbol| tables.iter().any(|table| table.number(symbol.id) > Some(0.0));
     let pressure = any(cases.tables("body"), &r::A_W);
@@ -23,31 +28,57 @@ pub(super) fn meets(v: &Values, slews: bool) -> Meets {
         pressure,
         speed: pressure && (blows || cases.has(r::C_AIR.id)),
         slope: !slews,
+        slewing,
     }
 }
 
-/// Wind or slope that a mechanism is told of and does not meet.
-pub(super) fn not_met(dynamics: &Values, meets: Meets, slews: bool) -> Option<Diagnostic> {
+/// Whether the counterweight of a balance is on a rail, of which only the direction is known.
+pub(super) fn rails(balance: &Values) -> bool {
+    balance.text("kind") == Some("straight_rail")
+}
+
+/// Wind, slope or slewing that a mechanism is told of and does not meet.
+pub(super) fn not_met(dynamics: &Values, meets: Meets, [slews, swings]: [bool; 2]) -> Option<Diagnostic> {
+    const CASELESS: &str = "whose cases have none of it";
+    let slope = match slews {
+        true => [
+            "whose plane turns",
+            "give the slope under it in [slewing.slope] instead: gamma_s, with G_u and r_u of what stands on it",
+        ],
+        false => [CASELESS, "add [cases]"],
+    };
+    let slewing = if slews {
+        [
+            "that slews by itself",
+            "remove it, or [slewing], which has a speed of its own",
+        ]
+    } else if swings {
+        [
+            "whose load swings in its plane alone",
+            "a load that is slewed swings across it too: set fidelity = \"rigid\", or give [slewing] where the mechanism has it",
+        ]
+    } else {
+        [
+            "with a counterweight on a straight rail",
+            "its distance from the slewing axis is not known: remove it, or take another balance",
+        ]
+    };
     let told = [
-        (&s::P_WM, meets.pressure, "add A_w and c_w to a [[cases.body]]"),
+        (
+            &s::P_WM,
+            meets.pressure,
+            [CASELESS, "add A_w and c_w to a [[cases.body]]"],
+        ),
         (
             &s::V_WM,
             meets.speed,
-            "add A_w and c_w to a [[cases.body]], and c_air to [cases]",
+            [CASELESS, "add A_w and c_w to a [[cases.body]], and c_air to [cases]"],
         ),
-        (&s::SIGMA_M, meets.slope, "add [cases]"),
+        (&s::SIGMA_M, meets.slope, slope),
+        (&s::N_SM, meets.slewing, slewing),
     ];
-    let (symbol, _, help) = told
-        .into_iter()
-        .find(|(symbol, met, _)| !met && dynamics.has(symbol.id))?;
-    let turns = slews && symbol == &s::SIGMA_M;
-    let (what, help) = match turns {
-        true => (
-            "whose plane turns",
-            "give the slope under it in [slewing.slope] instead: gamma_s, with G_u and r_u of what stands on it",
-        ),
-        false => ("whose cases have none of it", help),
-    };
+    let mut told = told.into_iter();
+    let (symbol, _, [what, help]) = told.find(|(symbol, met, _)| !met && dynamics.has(symbol.id))?;
     let what = format!("{} of a mechanism in motion {what}", symbol.id);
     Some(dynamics.refuse(symbol.id, what, "does not act", help))
 }

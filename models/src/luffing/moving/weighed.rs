@@ -82,7 +82,7 @@ impl<T: Calc + DualNum, B> Moved<T, B> {
     }
 }
 
-/// In a plane that does not turn, at the coordinate (rad); with what carries a force where the boom that the balance sees is at
+/// Forward of the mechanism's origin, at the coordinate (rad); with what carries a force where the boom that the balance sees is at
 /// an angle, and the counterweight at a place from which it moves for one radian of that boom.
 fn posed<T: Calc, K: Balanceable>(
     (mass, [at, travel, bend]): Weight<T>,
@@ -92,7 +92,7 @@ fn posed<T: Calc, K: Balanceable>(
     let boom = T::constant(K::SENSE);
     PosedCounterweight {
         mass,
-        reach: T::constant(0.0),
+        reach: at.x,
         travel: [travel, bend],
         boom,
         line: line(K::angle(phi), [at, travel / boom]),

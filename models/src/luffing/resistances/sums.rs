@@ -3,6 +3,7 @@
 use crate::component::stages::{Found, results};
 use crate::kernel::calc::Calc;
 use crate::kernel::variable::Fault;
+use crate::luffing::moving::bodies::spread_change;
 use crate::luffing::resistances::given::{Case, CaseBody, CasesChoice};
 use crate::luffing::resistances::placed::{BARS, MovedBars};
 use crate::luffing::resistances::symbols as s;
@@ -53,10 +54,8 @@ impl<C: Calc> MovedBars<C> {
     /// How the inertia of a thin body about an upright axis through its own centre changes for one radian of the luffing
     /// angle, in kg·m².
     fn spread_change(&self, body: usize) -> C {
-        let [xx, xy, yy] = self.of.bodies[body].spread;
         let [e, d, _] = self.at.each_ref().map(|placed| placed.bars[body][1]);
-        let two = C::constant(2.0);
-        two * (xx * (e.x * d.x) + yy * (e.y * d.y) - xy * (e.x * d.y + d.x * e.y))
+        spread_change(self.of.bodies[body].spread, [e, d])
     }
 }
 

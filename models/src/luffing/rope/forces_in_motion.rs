@@ -60,7 +60,8 @@ impl<C: Calc> RopeForces<C> {
         let mass = (weights.g_b / constants.g).def(&s::MASS_B);
         let turned = Point::new(-centre.y, centre.x);
         let boom = PosedBody::in_plane((0, C::constant(0.0)), [mass, inertia.j_b], centre, [turned, -centre]);
-        let at = &acting.at;
+        let lies = ([inertia.j_b, C::constant(0.0), C::constant(0.0)], position.along);
+        let (at, boom) = (&acting.at, acting.turning(boom, centre.x, lies));
         let own = boom.force(at, constants.g, [&s::F_IBX, &s::F_IBY]);
         let m_bo = boom.moment(at, own).def(&s::M_BO);
         let zero = C::constant(0.0);

@@ -4,7 +4,7 @@ use crate::balance::boom::Plain;
 use crate::kernel::calc::{Calc, Over};
 use crate::kernel::group::quantities;
 use crate::kernel::symbol::{Symbol, listed};
-use crate::luffing::moving::bodies::{Body, MovedBody, Moves};
+use crate::luffing::moving::bodies::{Body, MovedBody, Moves, Turntable};
 use crate::luffing::moving::reduced::{CoordinateNames, Reduced};
 use crate::luffing::moving::single::SingleBoom;
 use crate::luffing::moving::symbols::{self as m, OfSums};
@@ -141,20 +141,20 @@ impl SingleBoom for Roped {
         }
     }
 
-    fn load<P: Over<P>>(of: &RopedBodies<P>, phi: P) -> Option<(P, [Point<P>; 2])> {
+    fn load<P: Over<P>>(of: &RopedBodies<P>, phi: P) -> Option<(P, [Point<P>; 3])> {
         let load = of.load.as_ref()?;
         let (sin, cos) = phi.sin_cos();
         let head = plane::turned(Point::new(cos, sin), of.rig.l, of.rig.f_a);
         let head = plane::def(head, [&s::A_X, &s::A_Y]);
         let travel = plane::def(Point::new(-head.y, head.x), [&s::DA_X, &s::DA_Y]);
-        let [_, travel, bend] = below([head, travel, -head], of.led(head)?);
-        Some((load.mass.def(&m::MASS_Q), [travel, bend]))
+        let moved = below([head, travel, -head], of.led(head)?);
+        Some((load.mass.def(&m::MASS_Q), moved))
     }
 
     /// `None` where the head is at the sheave. What turns about the foot has x″ = −x, y″ = −y.
     fn at<P: Calc, C: Over<P>>(
         of: &RopedBodies<P>,
-        gravity: P,
+        (gravity, table): (P, Option<&Turntable<P>>),
         phi: C,
         counterweight: Option<Weight<C>>,
     ) -> Option<Reduced<C>> {
@@ -179,8 +179,12 @@ impl SingleBoom for Roped {
             centre: below([head, travel, -head], led),
             turn: [zero; 2],
         };
+        let bodies = [&of.boom, load];
+        let along = Point::new(cos, sin);
+        let bars = [Some([along, turned(along)]), None];
         let moves = Moves::in_plane([boom, hanging], counterweight, [head, travel, -head], None);
+        let moves = moves.turning(table, bodies, bars);
         let names = OF_BODY.each_ref();
-        Some(Reduced::of([&of.boom, load], names, gravity, moves))
+        Some(Reduced::of(bodies, names, gravity, moves))
     }
 }

@@ -112,7 +112,7 @@ const COMPENSATED_ROPE: &[Key] = keys! { s:
 
 const WEIGHTS: &[Key] = keys! { b: G_B [or_mass], R_B >= 0, CHI_B [usually(0.0)] };
 
-static DYNAMICS: &[Key] = &dynamics::<17>(&[Key::quantity(&s::J_B, Sign::NotNegative)]);
+static DYNAMICS: &[Key] = &dynamics::<18>(&[Key::quantity(&s::J_B, Sign::NotNegative)]);
 
 const INERTIAS: &[&Symbol] = listed!(s: J_B);
 

@@ -104,15 +104,16 @@ where
         let [boom, jib, rocker] = slender(geometry, Some(weights), &inertias, constants.g);
         let head = head(geometry);
         // Where the crane does not turn nothing asks for it.
-        let spread = |jib: Body<P>| match self.slewed {
-            Some(_) => {
+        let turns = self.slewed.is_some() || self.fitted.meets.slewing;
+        let spread = |jib: Body<P>| match turns {
+            true => {
                 let [along, both, across] = jib.spread;
                 Body {
                     spread: [along.def(&m::J_XI2), both.def(&m::J_XIETA2), across.def(&m::J_ETA2)],
                     ..jib
                 }
             }
-            None => jib,
+            false => jib,
         };
         let pendulum = HoistParts {
             ramp: self.ramp,

@@ -15,7 +15,7 @@ use crate::luffing::moving::scene::{self, Inert, dynamics, turns};
 pub const FIDELITIES: &[&str] = &["static", "table", "rigid", "swing", "hydraulic", "auto"];
 
 /// Keys of `[luffing.dynamics]`.
-pub static KEYS: &[Key] = &dynamics::<19>(&[
+pub static KEYS: &[Key] = &dynamics::<20>(&[
     Key::quantity(&s::J_1, Sign::NotNegative),
     Key::quantity(&s::J_2, Sign::NotNegative),
     Key::quantity(&s::J_3, Sign::NotNegative),

@@ -41,7 +41,7 @@ impl Shown for LuffingScene {
         (
             "motion_slewing",
             "motion_slewing",
-            listed! { m: X_S1, X_S2, X_S3, X_S5, J_XI2, J_XIETA2, J_ETA2, I_SL, DI_SL },
+            listed! { m: X_S1, X_S2, X_S3, X_S5, J_XI2, J_XIETA2, J_ETA2 },
         ),
         (
             "motion_equations",

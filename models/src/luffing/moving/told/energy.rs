@@ -47,6 +47,7 @@ impl Energy {
                 (hangs && moving.hoists(), &m::W_H, work.hoist),
                 (oil, &m::W_P, work.pump),
                 (is_blown(moving), &m::W_WIND, work.wind),
+                (moving.meets.slewing, &m::W_OMEGA, work.slewed),
             ]),
             stored: there(&[
                 (true, &m::DELTA_E, self.end - self.start - self.blows),
@@ -70,7 +71,7 @@ fn is_blown(moving: &Moving) -> bool {
 
 /// What is left of the powers for the bodies.
 pub(super) fn net(p: &Powers) -> f64 {
-    p.drive + p.slewing + p.hoist + p.pump + p.wind - p.friction - p.throttles - p.compression - p.air
+    p.drive + p.slewing + p.hoist + p.pump + p.wind + p.slewed - p.friction - p.throttles - p.compression - p.air
 }
 
 /// What rounding may leave between two energies.
@@ -80,7 +81,7 @@ pub(super) fn rounding(before: f64, after: f64) -> f64 {
 
 /// What was given and taken.
 pub(super) fn turnover(work: &Powers) -> f64 {
-    let given = work.pump.abs() + work.slewing.abs() + work.hoist.abs() + work.wind.abs();
+    let given = work.pump.abs() + work.slewing.abs() + work.hoist.abs() + work.wind.abs() + work.slewed.abs();
     given + work.throttles + work.friction + work.compression.abs() + work.air.abs()
 }
 
@@ -97,6 +98,7 @@ pub(super) fn sum(parts: &[(&Powers, f64)]) -> Powers {
         compression: of(|p| p.compression),
         air: of(|p| p.air),
         wind: of(|p| p.wind),
+        slewed: of(|p| p.slewed),
     }
 }
 
@@ -157,6 +159,11 @@ pub(super) fn integrals(moving: &Moving, rate: &'static Symbol) -> Vec<Integral>
         integral(hangs && moving.hoists(), &m::W_H, vec![hoist]),
         integral(oil, &m::W_P, vec![pump()]),
         integral(is_blown(moving), &m::W_WIND, wind.into_iter().flatten().collect()),
+        integral(
+            moving.meets.slewing,
+            &m::W_OMEGA,
+            vec![of(false, &[&m::M_OMEGA, rate], None)],
+        ),
         integral(oil, &m::E_OIL, compression(false)),
         integral(true, &m::W_R, friction.into_iter().flatten().collect()),
         integral(oil, &m::W_T, resisted),

@@ -36,7 +36,7 @@ use crate::parts::hydraulics::symbols as h;
 use crate::parts::hydraulics::throttle::LAMINAR;
 
 /// What the formulas of a section give; those of the assembled model stand among them. A mechanism has its own besides.
-const SECTIONS: [(&str, &[&Symbol]); 15] = [
+const SECTIONS: [(&str, &[&Symbol]); 16] = [
     (
         "motion_counterweight",
         &[&m::MASS_5, &b::C_5X, &b::C_5Y, &m::DX_5, &m::DY_5, &m::DDX_5, &m::DDY_5],
@@ -59,7 +59,11 @@ const SECTIONS: [(&str, &[&Symbol]); 15] = [
             &m::G_SLOPE,
         ],
     ),
-    ("motion_slewing", &[]),
+    (
+        "motion_slewing",
+        listed!(m: J_XIU, J_XIETAU, J_ETAU, I_UB, DI_UB, I_UL, DI_UL, I_SL, DI_SL),
+    ),
+    ("motion_slewed", &[&m::OMEGA_SM, &m::M_OMEGA, &m::M_WC]),
     ("motion_aside", &[&m::P_WS, &m::M_WS]),
     (
         "motion_leaning",
@@ -307,7 +311,7 @@ fn heights<T: Shown>(model: &mut MovingComponent) -> Vec<(&'static Symbol, f64)>
     };
     let one = Weather {
         wind: [1.0, 0.0],
-        slope: 0.0,
+        ..Weather::calm()
     };
     let outdoors = level.dynamics().weather();
     let moments = outdoors.and_then(|outdoors| outdoors.to.pushes(at.y[0], &one));
