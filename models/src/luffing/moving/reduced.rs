@@ -189,7 +189,7 @@ impl<C: Calc> Reduced<C> {
         self.shaft.as_ref().filter(|shaft| !shaft.loose)
     }
 
-    /// With wind and slope, and slewed at an angular velocity (rad/s), as far as it is: M_Ω = Ω² J_sl′ / 2. [Lagrange]
+    /// With wind and slope, and slewed at an angular velocity (rad/s), as far as it is: M_Ω = Ω² J_sl′ / 2. (Lagrange)
     #[must_use]
     pub fn outside(self, met: Option<Outside<C>>, slewing: Option<C>) -> Reduced<C> {
         let mut found = [C::constant(0.0); 3];
