@@ -30,12 +30,8 @@ use crate::luffing;
 use crate::luffing::curved_trunk::scene::CurvedTrunk;
 use crate::luffing::double_link;
 use crate::luffing::double_link::scene::LuffingScene;
-use crate::luffing::double_link::stages::DoubleLink;
 use crate::luffing::ellipsograph::scene::Ellipsograph;
-use crate::luffing::ellipsograph::stages::EllipsographBoom;
-use crate::luffing::moving::follows::follows;
 use crate::luffing::rope::scene::Rope;
-use crate::luffing::rope::stages::RopeBoom;
 use crate::parts::motion::Place;
 use crate::slewing;
 use crate::slewing::scene::SlewingScene;
@@ -175,6 +171,7 @@ struct Teller {
     assumptions: fn(&dyn Mechanism) -> Option<Vec<&'static str>>,
     drawing: fn(&dyn Mechanism, f64) -> Option<Drawing>,
     dependencies: fn(&Standing) -> Option<Vec<BTreeSet<Name>>>,
+    followed: fn(&MovingComponent) -> Option<Vec<BTreeSet<Name>>>,
 }
 
 const fn teller<T: Described>() -> Teller {
@@ -189,12 +186,15 @@ const fn teller<T: Described>() -> Teller {
         },
         assumptions: |mechanism| Some(T::assumptions(mechanism.of()?)),
         drawing: |mechanism, at| Some(T::drawing(mechanism.of()?, at)),
-        dependencies: |model| {
-            let part: &dyn Any = model.part();
-            let own = part.is::<Runner<T::Component, f64>>();
-            own.then(|| traced(model, recorded::<T::Component>))
-        },
+        dependencies: |model| is_of::<T>(model).then(|| traced(model, recorded::<T::Component>)),
+        followed: |moving| is_of::<T>(moving.standing()).then(|| T::follows(moving)),
     }
+}
+
+/// Whether a model is that of a mechanism.
+fn is_of<T: Described>(model: &Standing) -> bool {
+    let part: &dyn Any = model.part();
+    part.is::<Runner<T::Component, f64>>()
 }
 
 static TELLERS: &[Teller] = &[
@@ -285,7 +285,8 @@ pub fn dependencies(model: &Model) -> Vec<BTreeSet<Name>> {
             let moving: &MovingComponent = (&**moving as &dyn Any)
                 .downcast_ref()
                 .expect("what moves is a component");
-            let mut found = followed(&moving.freed());
+            let free = moving.freed();
+            let mut found = told(|teller| (teller.followed)(&free));
             // A command over time follows from that, and so does what follows from it.
             for (index, name) in moving.told() {
                 found[index].insert(name);
@@ -297,19 +298,4 @@ pub fn dependencies(model: &Model) -> Vec<BTreeSet<Name>> {
             found
         }
     }
-}
-
-/// The same of what moves under its inputs.
-fn followed(moving: &MovingComponent) -> Vec<BTreeSet<Name>> {
-    let part: &dyn Any = moving.standing().part();
-    if part.is::<Runner<DoubleLink, f64>>() {
-        return follows::<DoubleLink>(moving);
-    }
-    if part.is::<Runner<EllipsographBoom, f64>>() {
-        return follows::<EllipsographBoom>(moving);
-    }
-    if part.is::<Runner<RopeBoom, f64>>() {
-        return follows::<RopeBoom>(moving);
-    }
-    told(|teller| (teller.dependencies)(moving.standing()))
 }

@@ -6,6 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use lemnis_models::component::model::Model;
 use lemnis_models::kernel::variable::Role;
 use lemnis_models::registry::dependencies;
+use lemnis_models::scene::Scene;
 
 #[path = "common/levels.rs"]
 mod levels;
@@ -250,4 +251,56 @@ fn results_of_the_position_are_those_of_the_static_level() {
             );
         }
     }
+}
+
+/// No variable of a ready scene has a derivative that its FMU would hide, by whatever is given or a state: of what moves beside its
+/// start, where all rates are nought and brakes hold.
+#[test]
+fn ready_scenes_tell_what_all_follows_from() {
+    let scenes = std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/scenes")).expect("there");
+    let mut compared = 0;
+    for path in scenes.map(|entry| entry.expect("a file").path()) {
+        let text = std::fs::read_to_string(&path).expect("a scene");
+        let scene = Scene::parse(&text).unwrap_or_else(|found| panic!("{path:?}: {found:?}"));
+        let mut model = scene.model().expect("starts");
+        if !model.has_derivatives() {
+            continue;
+        }
+        let dependencies = dependencies(&model);
+        let mut states = vec![0.0; model.states()];
+        model.get_states(&mut states);
+        for (i, state) in states.iter_mut().enumerate() {
+            *state += if *state == 0.0 {
+                1e-3 / (i + 1) as f64
+            } else {
+                1e-3 * *state
+            };
+        }
+        model.set_states(&states).expect("near its start");
+        model.update().expect("moves");
+        let variables = model.variables().to_vec();
+        for (of, given) in variables.iter().enumerate() {
+            if !known(given.role) {
+                continue;
+            }
+            let size = model.get(of).expect("given").abs();
+            let mut tangent = model.tangent(&|other| f64::from(other == given.quantity()));
+            for (i, variable) in variables.iter().enumerate() {
+                let derivative = model.derivative(&mut tangent, i).unwrap_or(0.0);
+                let rounding = 1e-14 * model.get(i).map_or(0.0, f64::abs);
+                if known(variable.role) || (derivative * size.max(1e-6)).abs() <= rounding {
+                    continue;
+                }
+                let name = (given.symbol.id, given.number);
+                assert!(
+                    dependencies[i].contains(&name),
+                    "{path:?}: {} follows from {}",
+                    variable.name(),
+                    given.name()
+                );
+                compared += 1;
+            }
+        }
+    }
+    assert!(compared > 20_000, "{compared}");
 }

@@ -1,9 +1,11 @@
 //! A mechanism as a scene describes it: what all of them have is made here, once, from what each says of itself.
 
+use std::collections::BTreeSet;
 use std::fmt;
 use std::ops::{Deref, DerefMut};
 
 use crate::component::aside::Aside;
+use crate::component::dependencies::{dependencies, recorded};
 use crate::component::extreme::fine;
 use crate::component::governing::extremes;
 use crate::component::mechanism::{Entry, Mechanism, Solver};
@@ -24,7 +26,7 @@ use crate::kernel::schema::{Key, Values};
 use crate::kernel::sign::Sign;
 use crate::kernel::symbol::Symbol;
 use crate::kernel::unit::RAD;
-use crate::kernel::variable::Fault;
+use crate::kernel::variable::{Fault, Name};
 use crate::parts::motion::{Motion, Place};
 
 /// The symbols of a mechanism, and the group of words for them.
@@ -95,6 +97,11 @@ pub trait Described: Clone + fmt::Debug + Send + Sync + Sized + 'static {
     /// The running model, where it moves by itself.
     fn moving(_this: &Description<Self>) -> Option<Result<MovingComponent, Fault>> {
         None
+    }
+
+    /// What each variable's expression contains while it moves under its inputs.
+    fn follows(model: &MovingComponent) -> Vec<BTreeSet<Name>> {
+        dependencies(model.standing(), recorded::<Self::Component>)
     }
 
     /// How its motion is solved.

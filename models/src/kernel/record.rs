@@ -240,8 +240,11 @@ impl Rec {
     #[must_use]
     pub fn rounded_as(self, value: f64) -> Rec {
         TRACE.with_borrow_mut(|trace| {
-            let same = trace.entries[self.0 as usize];
-            trace.push(same.node, value, same.dimension)
+            let Entry { node, dimension, .. } = trace.entries[self.0 as usize];
+            let same = trace.push(node, value, dimension);
+            // A name has nothing else that it follows from.
+            trace.behind.push((same, self));
+            same
         })
     }
 

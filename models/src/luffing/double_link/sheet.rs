@@ -1,5 +1,7 @@
 //! The double link as scenes describe it and books tell it.
 
+use std::collections::BTreeSet;
+
 use crate::balance;
 use crate::balance::boom::Boom;
 use crate::balance::kept::kept;
@@ -18,7 +20,7 @@ use crate::kernel::group::One;
 use crate::kernel::schema::Values;
 use crate::kernel::symbol::Symbol;
 use crate::kernel::text::Text;
-use crate::kernel::variable::Fault;
+use crate::kernel::variable::{Fault, Name};
 use crate::luffing::at_rest::at_rest;
 use crate::luffing::boom_scene::vanishing;
 use crate::luffing::counterweight::chapter;
@@ -38,6 +40,7 @@ use crate::luffing::double_link::statics::{Centres, LoadMoment, Own};
 use crate::luffing::double_link::symbols as s;
 use crate::luffing::double_link::system::ByCentres;
 use crate::luffing::double_link::velocity::Velocity;
+use crate::luffing::moving::follows::follows;
 use crate::luffing::moving::levels;
 use crate::luffing::moving::told::motion::moved;
 use crate::luffing::moving::told::shown::running;
@@ -208,6 +211,10 @@ impl Described for LuffingScene {
 
     fn moving(this: &Luffing) -> Option<Result<MovingComponent, Fault>> {
         running(this)
+    }
+
+    fn follows(model: &MovingComponent) -> Vec<BTreeSet<Name>> {
+        follows::<DoubleLink>(model)
     }
 
     fn chapters(&self) -> Vec<&'static str> {

@@ -30,6 +30,9 @@ const WAYS: [Bar; 3] = [Bar::Held, Bar::Forward, Bar::Backward];
 /// Every way in which a load hangs, whether the rope is taut and what its drum does; the first one is that of none.
 const HANGS: [(bool, Bar); 3] = [(true, Bar::Held), (true, Bar::Forward), (false, Bar::Held)];
 
+/// Place of the spool among the states of a crane with oil.
+const SPOOL: usize = 6;
+
 /// Of lively states one in so many has other regimes of controllers too, or a slack rope of its drive: as it has no divisor in
 /// common with the ways of moving, every one of these is among them.
 const OTHERS_EACH: usize = 7;
@@ -90,6 +93,16 @@ fn lively(luffing: &LuffingGiven, now: &CraneAt) -> Vec<CraneAt> {
                 }
             }
         }
+    }
+    if let Some(holding) = given.oil_parts.and_then(|parts| parts.load_holding) {
+        // A spool within its underlap.
+        let relieved = found.iter().step_by(OTHERS_EACH).map(|at| {
+            let mut at = *at;
+            at.y[SPOOL] = holding.x_t * 0.37_f64.copysign(at.y[SPOOL]);
+            at
+        });
+        let relieved: Vec<CraneAt> = relieved.collect();
+        found.extend(relieved);
     }
     if given.fitted.hauled {
         // Behind angle and rate, the last two.

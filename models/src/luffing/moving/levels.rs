@@ -118,6 +118,12 @@ macro_rules! boom_levels {
         ) -> Option<Result<$crate::component::moving::MovingComponent, $crate::kernel::variable::Fault>> {
             $crate::luffing::moving::told::shown::running(this)
         }
+
+        fn follows(
+            model: &$crate::component::moving::MovingComponent,
+        ) -> Vec<std::collections::BTreeSet<$crate::kernel::variable::Name>> {
+            $crate::luffing::moving::follows::follows::<<Self as Described>::Component>(model)
+        }
     };
 }
 pub(crate) use boom_levels;
