@@ -93,6 +93,8 @@ SAID = {
                             {"level_rigid", "ellipsograph_load", "ellipsograph_forces"}),
     "rope_motion": ({"level_swing", "rope_masses", "rope_led", "rope_winch", "hoist_ramp", "rope_at_rest"},
                     {"rope_load", "forces_in_motion", "rope_forces"}),
+    "rope_slewing": ({"level_swing", "rope_masses", "rope_led", "rope_winch", "hoist_ramp", "slewing", "wind_aside_in_motion"},
+                     {"rope_load", "slope_under_slewing", "air"}),
     "curved_trunk": ({"trunk_rope"}, {"ellipsograph_rope"}),
     "curved_trunk_motion": ({"level_swing", "trunk_masses", "trunk_taut", "counterweight", "slack", "hoist_ramp", "forces_in_motion"},
                             {"level_rigid", "trunk_load", "trunk_forces"}),
@@ -112,7 +114,7 @@ SAID = {
     "car_4x2": ({"level_kinematic"}, {"level_turning"}),
 }
 # Where the coordinate's name does not begin with theta.
-COORDINATES = {"slewing_swing": "psi_sl", "slewing_by_speed": "psi_sl", "ellipsograph": "phi", "ellipsograph_motion": "phi", "rope_motion": "phi", "curved_trunk": "phi",
+COORDINATES = {"slewing_swing": "psi_sl", "slewing_by_speed": "psi_sl", "ellipsograph": "phi", "ellipsograph_motion": "phi", "rope_motion": "phi", "rope_slewing": "phi", "curved_trunk": "phi",
                "curved_trunk_motion": "phi"}
 
 

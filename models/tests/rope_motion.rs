@@ -1,94 +1,28 @@
 //! The boom on a luffing rope in motion, against a Lagrangian written by hand, closed forms and its energy; its tackle, which
 //! goes slack and is caught.
 
+#[path = "common/roped.rs"]
+mod roped;
 #[path = "common/single_boom.rs"]
 mod single_boom;
 
 use std::f64::consts::TAU;
 
-use lemnis_models::balance::boom::Plain;
 use lemnis_models::component::model::Model;
 use lemnis_models::kernel::calc::Calc;
 use lemnis_models::luffing::moving::crane::Commands;
 use lemnis_models::luffing::moving::dynamics::{Coordinate, Dynamics};
 use lemnis_models::luffing::moving::motion::{MotionState, MovingLinkage};
 use lemnis_models::luffing::moving::pendulum::Phase;
-use lemnis_models::luffing::rope::moving::{BoomInertia, Roped, RopedParts};
-use lemnis_models::luffing::rope::position::{BoomChoice, Compensation, Rig};
-use lemnis_models::parts::hoist::{Elastic, Hoist, HoistCommand, Winch};
+use lemnis_models::parts::hoist::{Hoist, HoistCommand};
 use lemnis_models::parts::joint::{Bar, Friction, Joint, JointDrive};
-use lemnis_models::parts::plane::{Point, length};
-use lemnis_models::scene::Scene;
+use roped::{LOAD, PARTS, RIG, ROPE, boom, crane, head, hoists};
 use single_boom::{
     G, balanced, derivatives_are_those_of_the_values, holds_as_at_rest, moves_by, slopes_are_derivatives, swings_by,
 };
 
 const SINGLE: &str = include_str!("../scenes/rope_luffing.toml");
 const COMPENSATED: &str = include_str!("../scenes/rope_compensation.toml");
-const RIG: Rig<f64> = Rig {
-    l: 33.0,
-    f_a: 0.4,
-    x_8: 2.0,
-    e_x: -4.5,
-    e_y: 13.0,
-    s_k: 30.0,
-    chi_k: 0.03,
-    m_l: 8.0,
-    eta_l: 1.0,
-    b_x: -2.0,
-    b_y: 12.0,
-    m_h: 2.0,
-    eta_h: 1.0,
-    h_q: 12.0,
-};
-const BOOM: f64 = 9e3;
-const CENTRE: Point<f64> = Point::new(15.0, 0.3);
-const OWN: f64 = 9e5;
-const LOAD: f64 = 10e3;
-const ROPE: f64 = 12.0;
-
-/// One rope to the sheave, or a compensation of three parts.
-const PARTS: [Option<Compensation<f64>>; 2] = [None, Some(Compensation { m_k: 3.0, eta_k: 1.0 })];
-
-/// The load on its rope, or straight below the head.
-fn crane(parts: Option<Compensation<f64>>, hoist: Option<Hoist>) -> Dynamics {
-    let scene = Scene::parse(SINGLE).expect("sound");
-    let range = *scene.mechanism.motion();
-    let weights = Plain {
-        g_b: BOOM * G,
-        r_b: length(CENTRE),
-        chi_b: f64::direction(CENTRE.x, CENTRE.y),
-    };
-    let inertia = BoomInertia { j_b: OWN };
-    let own = RopedParts::new(&RIG, &parts, &weights, &inertia, &BoomChoice { range });
-    single_boom::crane::<Roped>(&own, [LOAD, ROPE], hoist)
-}
-
-/// The boom alone: its inertia about the foot and the moment of its weight.
-fn boom(phi: f64) -> [f64; 2] {
-    let (sin, cos) = Calc::sin_cos(phi);
-    let square = CENTRE.x * CENTRE.x + CENTRE.y * CENTRE.y;
-    [OWN + BOOM * square, BOOM * G * (CENTRE.x * cos - CENTRE.y * sin)]
-}
-
-/// Head by polar coordinates, with two derivatives; and what the sheave takes: n |A B| by the law of cosines.
-fn head(phi: f64, parts: Option<Compensation<f64>>) -> ([[f64; 2]; 3], [f64; 3]) {
-    let (radius, ahead) = (length(Point::new(RIG.l, RIG.f_a)), f64::direction(RIG.l, RIG.f_a));
-    let (sin, cos) = Calc::sin_cos(phi + ahead);
-    let places = [
-        [radius * cos, radius * sin],
-        [-radius * sin, radius * cos],
-        [-radius * cos, -radius * sin],
-    ];
-    let (far, sheave) = (length(Point::new(RIG.b_x, RIG.b_y)), f64::direction(RIG.b_x, RIG.b_y));
-    let (sin, cos) = Calc::sin_cos(phi + ahead - sheave);
-    let between = (radius * radius + far * far - 2.0 * radius * far * cos).sqrt();
-    let first = radius * far * sin / between;
-    let second = (radius * far * cos - first * first) / between;
-    let part = parts.map_or(1.0, |parts| parts.m_k) / RIG.m_h;
-    (places, [between, first, second].map(|x| part * x))
-}
-
 #[test]
 fn a_load_below_the_head_moves_as_by_hand() {
     for parts in PARTS {
@@ -163,23 +97,6 @@ fn told(moment: f64, brake: f64, speed: f64) -> Commands<1> {
         drives: [JointDrive { moment, brake }],
         hoist: HoistCommand::speed(speed),
     }
-}
-
-/// Every hoist whose speed is commanded, and a load below the head.
-fn hoists() -> [Option<Hoist>; 4] {
-    let give = Elastic {
-        stiffness: 4e6,
-        damping: 0.0,
-    };
-    let ramp = Hoist {
-        winch: Winch::Ramp(0.3),
-        rope: None,
-    };
-    let elastic = Hoist {
-        rope: Some(give),
-        ..Hoist::AT_ONCE
-    };
-    [None, Some(Hoist::AT_ONCE), Some(ramp), Some(elastic)]
 }
 
 /// The moment of the drive over its way is what the energy gains, the hoist at rest, whichever rope goes slack.

@@ -9,11 +9,14 @@ use lemnis_models::luffing::curved_trunk::symbols as s;
 use toml::{Table, Value};
 
 use crate::cases::cases;
-use crate::luffing::{drive_about_origin, dynamics, tail_balance, working_range};
+use crate::luffing::{drive_about_origin, dynamics, moving_parts, tail_balance, working_range};
 use crate::scene::{Draw, Node};
 
 /// A result that every level has.
 pub const RESULT: (&str, &Symbol) = ("A.x", &s::A_X);
+
+/// What the wind turns.
+const AREA: [&str; 2] = ["A_ws", "r_ws"];
 
 /// Angle of the boom with the tie in the middle of the tail, in rad.
 const MIDDLE: f64 = 1.05;
@@ -49,18 +52,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     let (moves, rope) = (matches!(level, "rigid" | "swing"), level == "swing");
     let mut table = draw.table(keys);
     let mut n = Node::new(draw, keys, &mut table);
-    n.put("fidelity", level);
-    n.keep("dynamics", moves);
-    n.keep("control", false);
-    let hoists = n.draw.coin(0.5);
-    n.keep("hoisting", rope && hoists);
-    let blows = n.draw.coin(0.5);
-    n.keep("air", rope && blows);
-    let bears = n.draw.coin(0.5);
-    n.keep("ground", rope && hoists && bears);
-    if moves {
-        n.keep("weights", true);
-    }
+    moving_parts(&mut n, level, [moves, rope]);
     let size = n.draw.scale[0];
     let b = size * n.draw.between(0.2, 2.0);
     let b = n.set("b", b);
@@ -104,9 +96,14 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     let range = [taut[0], taut[taut.len() - 1]];
     working_range(&mut n, range);
     drive_about_origin(&mut n, range, moves);
+    if let Some(mut turning) = n.child("slewing") {
+        turning.remove(&["control", "slope", "chi_R"]);
+        turning.remove(&AREA);
+    }
     if moves {
         dynamics(&mut n, "J_b", rope, false);
         held(&mut n, [a, b]);
+        slowly(&mut n);
     }
     cases(&mut n, &PARTS);
     table
@@ -131,6 +128,17 @@ fn held(n: &mut Node, [a, b]: [f64; 2]) {
         if let Some(mut table) = n.child(name).filter(|table| table.has("phi_R")) {
             let out = table.draw.between(-0.3, 0.05);
             table.set("phi_R", out);
+        }
+    }
+}
+
+/// So slowly that what it takes outward leaves the tie taut.
+fn slowly(n: &mut Node) {
+    let Some(mut turning) = n.child("slewing") else { return };
+    for name in ["omega_sl", "M_sl"] {
+        if turning.has(name) {
+            let value = turning.get(name);
+            turning.set(name, 0.02 * value);
         }
     }
 }

@@ -7,7 +7,7 @@ use lemnis_models::luffing::ellipsograph::symbols as s;
 use toml::Table;
 
 use crate::cases::cases;
-use crate::luffing::{LEAST_LENGTH, drive_about_origin, dynamics, tail_balance, working_range};
+use crate::luffing::{LEAST_LENGTH, drive_about_origin, dynamics, moving_parts, tail_balance, working_range};
 use crate::scene::{Draw, Node};
 
 /// A result that every level has.
@@ -31,18 +31,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     let part = n.draw.decades(-2, 1);
     let a = c * n.draw.pick(&[1.0, 1.0 + 1e-6, part]);
     n.set("a", a.clamp(LEAST_LENGTH, LONGEST));
-    n.put("fidelity", level);
-    n.keep("dynamics", moves);
-    n.keep("control", false);
-    let hoists = n.draw.coin(0.5);
-    n.keep("hoisting", rope && hoists);
-    let blows = n.draw.coin(0.5);
-    n.keep("air", rope && blows);
-    let bears = n.draw.coin(0.5);
-    n.keep("ground", rope && hoists && bears);
-    if moves {
-        n.keep("weights", true);
-    }
+    moving_parts(&mut n, level, [moves, rope]);
     if n.has("weights") {
         n.keep("Q", true);
     } else {

@@ -129,11 +129,11 @@ fn reach(linkage: &Linkage, from: f64, margins: &[Margin]) -> Option<[f64; 2]> {
     Some([end(-1.0)?, end(1.0)?])
 }
 
-/// The tables that a level has, or may have.
-fn parts(n: &mut Node, level: &str, [moves, oil, rope]: [bool; 3]) {
+/// The tables that a mechanism has at a level, or may have, where it moves, and its load swings.
+pub fn moving_parts(n: &mut Node, level: &str, [moves, rope]: [bool; 2]) {
     n.put("fidelity", level);
     n.keep("dynamics", moves);
-    n.keep("hydraulics", oil);
+    n.keep("control", false);
     let turns = n.draw.coin(0.5);
     n.keep("slewing", moves && turns);
     let hoists = n.draw.coin(0.5);
@@ -142,12 +142,17 @@ fn parts(n: &mut Node, level: &str, [moves, oil, rope]: [bool; 3]) {
     n.keep("air", rope && blows);
     let bears = n.draw.coin(0.5);
     n.keep("ground", rope && hoists && bears);
-    let tabulated = n.draw.coin(0.5);
-    n.keep("table", matches!(level, "table" | "auto") && tabulated);
-    n.keep("control", false);
     if moves {
         n.keep("weights", true);
     }
+}
+
+/// Those of a double link.
+fn parts(n: &mut Node, level: &str, [moves, oil, rope]: [bool; 3]) {
+    moving_parts(n, level, [moves, rope]);
+    n.keep("hydraulics", oil);
+    let tabulated = n.draw.coin(0.5);
+    n.keep("table", matches!(level, "table" | "auto") && tabulated);
 }
 
 pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {

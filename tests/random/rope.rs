@@ -9,7 +9,7 @@ use lemnis_models::luffing::rope::symbols as s;
 use toml::Table;
 
 use crate::cases::cases;
-use crate::luffing::{dynamics, tail_balance, working_range};
+use crate::luffing::{dynamics, moving_parts, tail_balance, working_range};
 use crate::scene::{Draw, Node};
 
 /// A result that every level has.
@@ -30,18 +30,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
         let offset = l * n.draw.between(-0.1, 0.1);
         n.set("f_A", offset);
     }
-    n.put("fidelity", level);
-    n.keep("dynamics", moves);
-    n.keep("control", false);
-    let hoists = n.draw.coin(0.5);
-    n.keep("hoisting", swings && hoists);
-    let blows = n.draw.coin(0.5);
-    n.keep("air", swings && blows);
-    let bears = n.draw.coin(0.5);
-    n.keep("ground", swings && hoists && bears);
-    if moves {
-        n.keep("weights", true);
-    }
+    moving_parts(&mut n, level, [moves, swings]);
     if n.has("weights") {
         n.keep("Q", true);
     } else {
@@ -70,6 +59,9 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     }
     tail_balance(&mut n);
     working_range(&mut n, BOOM);
+    if let Some(mut turning) = n.child("slewing") {
+        turning.remove(&["slope"]);
+    }
     if moves {
         dynamics(&mut n, "J_b", swings, false);
     }

@@ -38,6 +38,7 @@ macro_rules! at_rest {
             give: None,
             around: None,
             ground: None,
+            slewed: None,
             wound: None,
             past: None,
             fitted: $crate::luffing::moving::given::Fitted::default(),

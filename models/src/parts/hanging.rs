@@ -242,6 +242,15 @@ impl<C: Calc, const J: usize> HeadRope<C, J> {
         }
     }
 
+    /// Of a rope that luffing adds to besides, for one radian of that joint (m).
+    #[must_use]
+    pub fn led(mut self, lead: Option<C>) -> HeadRope<C, J> {
+        if let Some(lead) = lead {
+            self.arms[0] += lead;
+        }
+        self
+    }
+
     /// Force over the load's mass (m/s²) that keeps it at the rope's end: it moves at a rate (m/s), and would fall with
     /// `fall` (m/s²) from joints which accelerate so without the rope, each with one over its inertia where it is free.
     fn keeping(
@@ -301,6 +310,8 @@ pub struct HeadJoints<C, const J: usize> {
     pub head: [Vector3<C>; J],
     /// How its travel by luffing changes with that angle, in m.
     pub bend: Option<Vector3<C>>,
+    /// Rope that one radian of luffing adds between head and load (m), where it adds any.
+    pub lead: Option<C>,
     /// What their accelerations are called.
     pub names: [&'static Symbol; J],
 }
@@ -332,7 +343,7 @@ impl<C: Calc, const J: usize> HeadJoints<C, J> {
         let (head, turning) = (&self.head, self.rates[last]);
         let rope = match line {
             RopeAction::Slack => None,
-            RopeAction::Taut { .. } | RopeAction::Force(_) => Some(HeadRope::new(load.place, head)),
+            RopeAction::Taut { .. } | RopeAction::Force(_) => Some(HeadRope::new(load.place, head).led(self.lead)),
         };
         let load = match (&rope, line) {
             (Some(rope), RopeAction::Taut { rate, .. }) => load.on_rope(rope, rate),

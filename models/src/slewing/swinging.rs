@@ -110,6 +110,7 @@ impl<C: Calc> Swinging<C> {
             ease: [if free { C::constant(1.0) / turning.j_sl } else { zero }],
             head,
             bend: None,
+            lead: None,
             names: [&s::D_OMEGA_SL],
         };
         let taut = slackness.slack.value() == 0.0;

@@ -10,7 +10,7 @@ use crate::luffing::curved_trunk::statics::TrunkWeights;
 use crate::luffing::curved_trunk::symbols as s;
 use crate::luffing::curved_trunk::tail::{TrunkChoice, TrunkTail};
 use crate::luffing::curved_trunk::velocity::{TrunkBend, TrunkTravel};
-use crate::luffing::moving::bodies::{Body, MovedBody, Moves, Turntable};
+use crate::luffing::moving::bodies::{Asked, Body, MovedBody, Moves};
 use crate::luffing::moving::reduced::{CoordinateNames, Reduced};
 use crate::luffing::moving::single::SingleBoom;
 use crate::luffing::moving::symbols::{self as m, OfSums};
@@ -141,7 +141,7 @@ impl SingleBoom for Trunked {
     /// `None` where the tie does not reach from tail to frame.
     fn at<P: Calc, C: Over<P>>(
         of: &TrunkBodies<P>,
-        (gravity, table): (P, Option<&Turntable<P>>),
+        (gravity, asked): (P, &Asked<P>),
         phi: C,
         counterweight: Option<Weight<C>>,
     ) -> Option<Reduced<C>> {
@@ -174,7 +174,7 @@ impl SingleBoom for Trunked {
             [Point::new(cos, sin), Point::new(-sin, cos)],
             [position.along, plane::turned(position.along, zero, travel.i_2)],
         ];
-        let moves = moves.turning(table, of.bodies.each_ref(), bars.map(Some));
+        let moves = moves.turning((gravity, asked), of.bodies.each_ref(), bars.map(Some));
         Some(Reduced::of(of.bodies.each_ref(), OF_BODY.each_ref(), gravity, moves))
     }
 }

@@ -38,21 +38,21 @@ use crate::luffing::moving;
 use crate::luffing::moving::control::luffing::CONTROL;
 use crate::luffing::moving::hoisting::HOISTING_KEYS;
 use crate::luffing::moving::levels::{self, boom_levels};
-use crate::luffing::moving::scene::{Inert, Moving, brisk, dynamics, turns};
+use crate::luffing::moving::scene::{Inert, Moving, SLEWING, brisk, dynamics, outlasts, turns};
 use crate::luffing::moving::symbols as m;
 use crate::luffing::moving::told::motion::moved;
 use crate::luffing::resistances::scene::{CASES, Cases, left};
 use crate::luffing::resistances::{self, checks, told};
 use crate::luffing::strength;
 use crate::luffing::with_balance::{WithBalance, searched};
-use crate::parts::air::AIR;
+use crate::parts::air::AIR_OR_WIND;
 use crate::parts::ground::GROUND;
 use crate::parts::motion::Motion;
 use crate::parts::plane::{self, Point};
 use crate::parts::shaping;
 use crate::parts::smooth_curve::{NoCurve, SmoothCurve};
 use crate::parts::teeth;
-use crate::parts::{air, ground, hanging, hydraulics};
+use crate::parts::{air, ground, hanging, hydraulics, side_wind, slope, turntable, turntable_control};
 use crate::parts::{motor, starts};
 
 /// Keys of `[luffing]` with `kind = "curved_trunk"`.
@@ -87,9 +87,10 @@ pub const KEYS: &[Key] = &[
         "Inertias, friction, drive and rope of boom and trunk in motion.",
     ),
     CONTROL,
-    AIR,
+    AIR_OR_WIND,
     GROUND,
     Key::part("hoisting", HOISTING_KEYS, "Rope and hoist of a load that swings."),
+    SLEWING,
     INTERPOLATION,
     CASES,
     Key::part("limits", LIMITS, "Limits that the book checks."),
@@ -151,7 +152,7 @@ impl Described for CurvedTrunk {
     const ID: &'static str = "curved_trunk";
     const TABLE: &'static str = "luffing";
     const OUTLINE: &'static Outline = &OUTLINE;
-    const FOLLOWED: &'static [&'static Symbol] = listed!(m: S_R, H_G, N_G, M_A, M_M_H);
+    const FOLLOWED: &'static [&'static Symbol] = listed!(m: S_R, H_G, N_G, M_A, M_SL, M_WS, M_GAMMA, M_M_H);
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "curved_trunk_symbol",
         own: &[s::ALL],
@@ -171,6 +172,10 @@ impl Described for CurvedTrunk {
             air::ALL,
             ground::ALL,
             hanging::ALL,
+            turntable::ALL,
+            turntable_control::ALL,
+            side_wind::ALL,
+            slope::ALL,
             hydraulics::symbols::ALL,
         ],
     };
@@ -188,6 +193,7 @@ impl Described for CurvedTrunk {
         drive::scene::fits(v, driving.gear.as_ref(), (moves, v.has("Q")), found);
         if let Some(moving) = &moving {
             brisk(v, moving, &range, found);
+            outlasts(v, moving, &range, [listed!(s: B, A, X_8), listed!(s: G_B, G_T)], found);
         }
         let cases = Cases::read(v, &resisting::PARTS, balance.as_ref(), gravity, found);
         let given = at_rest! { (cases, driving) without [motor];

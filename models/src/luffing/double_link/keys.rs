@@ -14,7 +14,7 @@ use crate::luffing::double_link::symbols as s;
 use crate::luffing::moving::control::luffing::CONTROL;
 use crate::luffing::moving::hoisting::HOISTING_KEYS;
 use crate::luffing::moving::oil_scene::OIL_KEYS;
-use crate::luffing::moving::scene::SLEWING_KEYS;
+use crate::luffing::moving::scene::SLEWING;
 use crate::luffing::resistances::scene::CASES;
 use crate::parts::air::AIR_OR_WIND;
 use crate::parts::ground::GROUND;
@@ -71,13 +71,8 @@ pub const KEYS: &[Key] = &joined::<_, 13, 19, 32>(LINKS, [
     SOURCE,
 ]);
 
-/// Parts of a crane that may also stand beside `[luffing]`, at the top of the scene.
+/// A part of a crane that may also stand beside `[luffing]`, at the top of the scene.
 pub const HOISTING: Key = Key::part("hoisting", HOISTING_KEYS, "Rope and hoist of a load that swings.");
-pub const SLEWING: Key = Key::part(
-    "slewing",
-    SLEWING_KEYS,
-    "Inertia, friction and drive of a crane in motion that slews.",
-);
 
 const MOTION: &[Key] = &Motion::keys(
     [&s::FROM, &s::TO],

@@ -12,8 +12,10 @@ use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::parameters::{Driven, Parameters, Weights};
 use crate::luffing::double_link::position::Position;
-use crate::luffing::moving::bodies::{Bar, Body, MovedBody, Moves, Pendulum, parts, turned_inertia, weighed_forward};
-use crate::luffing::moving::reduced::{Asked, Reduced};
+use crate::luffing::moving::bodies::{
+    Asked, Bar, Body, MovedBody, Moves, Pendulum, parts, turned_inertia, weighed_forward,
+};
+use crate::luffing::moving::reduced::Reduced;
 use crate::parts::motion::Motion as Range;
 use crate::parts::plane::{self, Point, dot};
 

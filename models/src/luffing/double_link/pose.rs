@@ -19,11 +19,11 @@ use crate::luffing::double_link::symbols as g;
 use crate::luffing::double_link::system::height;
 use crate::luffing::moving::balance_in_motion::{PosedCounterweight, named};
 use crate::luffing::moving::bodies::{
-    Bar, Body, MovedBody, Moves, Turntable, about_axis, changes, deviation, parts, spread, weighed_forward,
+    Asked, Bar, Body, MovedBody, Moves, Turntable, about_axis, changes, deviation, parts, spread, weighed_forward,
 };
 use crate::luffing::moving::dynamics::Dynamics;
 use crate::luffing::moving::inertia_forces::PosedBody;
-use crate::luffing::moving::reduced::{Asked, CoordinateNames, Reduced, Reduces};
+use crate::luffing::moving::reduced::{CoordinateNames, Reduced, Reduces};
 use crate::parts::plane::{self, Point, cross, dot};
 
 /// The mechanism at one angle of the driving link; lengths in m, everything from O1.

@@ -9,7 +9,7 @@ use crate::component::outline::Published;
 use crate::drive::scene::{self as drive, Driving};
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::schema::Values;
-use crate::kernel::symbol::Symbol;
+use crate::kernel::symbol::{Symbol, listed};
 use crate::luffing::double_link::balancing::{analysis, boom};
 use crate::luffing::double_link::driving::foot;
 use crate::luffing::double_link::geometry::Geometry;
@@ -120,10 +120,8 @@ impl LuffingScene {
         let analysed = balance_table.and_then(|(table, motion)| balanced(v, table, &parameters, &motion, found));
         if let Some((moving, motion)) = moving.as_ref().zip(motion.as_ref()) {
             brisk(v, moving, motion, found);
-            let weight = q.unwrap_or(0.0) + weights.map_or(0.0, |w| w.g_1 + w.g_2 + w.g_3);
-            let reach = lengths.x_1 + lengths.x_4 + lengths.x_8.abs();
-            let most = [reach, weight / gravity];
-            outlasts(v, moving, motion, most, found);
+            let most = [listed!(s: X_1, X_4, X_8), listed!(s: G_1, G_2, G_3)];
+            outlasts(v, moving, motion, most.map(|list| &list[..]), found);
         }
         let moves = moving.as_ref().map(|_| &drive::TURNED_LINE[..]);
         drive::fits(v, driving.gear.as_ref(), (moves, loaded), found);

@@ -46,7 +46,6 @@ use crate::luffing::moving::told::motion::moved;
 use crate::luffing::moving::told::shown::running;
 use crate::luffing::resistances;
 use crate::luffing::with_balance::{WithBalance, agreement};
-use crate::parts::air::AROUND;
 use crate::parts::motion::Motion;
 
 /// What is told of a plain boom, for which jib and rocker only stand in: its balance, its drive and these.
@@ -80,7 +79,7 @@ impl Described for LuffingScene {
 
     fn given(this: &Luffing) -> Given<f64> {
         let p = &this.parameters;
-        at_rest! { (this.cases, this.driving) without [inertias, motor, slewed, oil, oil_parts];
+        at_rest! { (this.cases, this.driving) without [inertias, motor, oil, oil_parts];
             theta: One(p.driven.coordinate(), this.motion.from),
             omega: One(p.driven.rate(), this.motion.speed),
             load: this.q.map(|q| One(&s::Q, q)),
@@ -157,32 +156,7 @@ impl Described for LuffingScene {
     }
 
     fn unused(&self, level: &str) -> Vec<(&'static str, &'static [&'static str])> {
-        let mut unused: Vec<(&'static str, &'static [&'static str])> = match level {
-            "static" | "table" => vec![
-                ("dynamics", &[]),
-                ("hoisting", &[]),
-                ("air", &[]),
-                ("ground", &[]),
-                ("slewing", &[]),
-                ("control", &[]),
-                ("hydraulics", &[]),
-            ],
-            "rigid" | "swing" => vec![("hydraulics", &[])],
-            _ => vec![("dynamics", &["M_A", "M_S"]), ("control", &[])],
-        };
-        let rope = self.moving.as_ref().is_some_and(|moving| moving.rope.is_some());
-        let side = self.moving.as_ref().is_some_and(|moving| moving.area.is_some());
-        if !(rope && matches!(level, "swing" | "hydraulic")) {
-            unused.extend([
-                ("slewing", &["chi_R"][..]),
-                ("hoisting", &[]),
-                ("air", if side { &AROUND } else { &[] }),
-                ("ground", &[]),
-                ("dynamics", &["l_R", "phi_R", "v_h", "a_h"][..]),
-                ("limits", &["phi_max"][..]),
-            ]);
-        }
-        unused
+        levels::unused(level, self.moving.as_deref())
     }
 
     fn hangs_on(this: &Luffing) -> Option<[f64; 2]> {
@@ -309,7 +283,7 @@ impl Described for LuffingScene {
                 .flatten()
                 .collect();
         };
-        let (oil, rope, slews) = (moving.oil.is_some(), moving.rope.is_some(), moving.slewing.is_some());
+        let (oil, rope) = (moving.oil.is_some(), moving.rope.is_some());
         let parts = moving.oil_parts;
         [
             Some(match (oil, rope) {
@@ -326,7 +300,6 @@ impl Described for LuffingScene {
         .chain(moving.taken("fixed_load"))
         .chain(
             [
-                given(slews, "slewing"),
                 given(oil, "oil"),
                 given(
                     parts.is_some_and(|parts| parts.anti_cavitation.is_some()),

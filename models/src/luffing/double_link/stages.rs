@@ -46,12 +46,12 @@ use crate::luffing::moving::control::acting;
 use crate::luffing::moving::fragments::{
     coordinate, exposed, geared, plant, pulled, regulated, remembered, surrounded, told,
 };
-use crate::luffing::moving::given::{CylinderOil, Fitted, SlewedParts};
+use crate::luffing::moving::given::{CylinderOil, Fitted};
 use crate::luffing::moving::level::{CraneAt, Level};
 use crate::luffing::moving::listed::{ALL_INDICATORS, Said, luffing_component, said};
 use crate::luffing::moving::luffs::luffs;
 use crate::luffing::moving::reduced::Renewed;
-use crate::luffing::moving::stages::{self, CraneEvents, CraneMoves, CraneOil, LoadSeen, OilFlows, OnSlewing};
+use crate::luffing::moving::stages::{self, CraneEvents, CraneMoves, CraneOil, OilFlows};
 use crate::luffing::resistances::fragments::{cases, chosen, resisted, sheared};
 use crate::luffing::resistances::outline::WHOLE;
 use crate::luffing::resistances::symbols::M_R_OWN;
@@ -79,7 +79,6 @@ composed! {
         ..coordinate(theta, omega),
         Parameter inertias: Option<Inertias<C>>,
         ..plant(motor),
-        Parameter slewed: Option<SlewedParts<C>>,
         Parameter oil: Option<CylinderOil<C>>,
         Parameter oil_parts: Option<OilParts<C>>,
         ..remembered(),
@@ -146,15 +145,13 @@ composed! {
         hauling: Hauling<C> = hauling(gear[!], forces);
         ..regulated(theta, omega);
         ..surrounded(theta);
-        on_slewing: OnSlewing<C> = OnSlewing::new(built, told, at, theta, slewed[!], around, states[!]);
-        seen: LoadSeen<C> = LoadSeen::new(at, fitted);
         cavitates: CraneOil = CraneOil::new(at, moves, oil[!]);
         oil_flows: OilFlows<C> = OilFlows::new(built, told, at, oil_parts[!]);
         events: CraneEvents<C> = stages::events(built, told, at, theta, fitted);
     }
 }
 
-luffs!(DoubleLink by theta, omega with motor, slewed, oil, oil_parts holds pulls);
+luffs!(DoubleLink by theta, omega with motor, oil, oil_parts holds pulls);
 
 taut_rope!(pulls by theta);
 

@@ -7,7 +7,7 @@ use crate::luffing::ellipsograph::balancing::OnLink;
 use crate::luffing::ellipsograph::position::{Bars, GuidedChoice};
 use crate::luffing::ellipsograph::statics::GuidedWeights;
 use crate::luffing::ellipsograph::symbols as s;
-use crate::luffing::moving::bodies::{Body, MovedBody, Moves, Turntable};
+use crate::luffing::moving::bodies::{Asked, Body, MovedBody, Moves};
 use crate::luffing::moving::reduced::{CoordinateNames, Reduced};
 use crate::luffing::moving::single::SingleBoom;
 use crate::luffing::moving::symbols::{self as m, OfSums};
@@ -138,7 +138,7 @@ impl SingleBoom for Guided {
     /// the level and the upright through O1, so that of every point x″ = −x and y″ = −y.
     fn at<P: Calc, C: Over<P>>(
         of: &GuidedBodies<P>,
-        (gravity, table): (P, Option<&Turntable<P>>),
+        (gravity, asked): (P, &Asked<P>),
         phi: C,
         counterweight: Option<Weight<C>>,
     ) -> Option<Reduced<C>> {
@@ -172,7 +172,7 @@ impl SingleBoom for Guided {
             [Point::new(cos, sin), Point::new(-sin, cos)],
             [Point::new(cos, -sin), Point::new(-sin, -cos)],
         ];
-        let moves = moves.turning(table, of.bodies.each_ref(), bars.map(Some));
+        let moves = moves.turning((gravity, asked), of.bodies.each_ref(), bars.map(Some));
         let names = OF_BODY.each_ref();
         Some(Reduced::of(of.bodies.each_ref(), names, gravity, moves))
     }

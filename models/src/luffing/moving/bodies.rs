@@ -102,6 +102,17 @@ pub struct Turntable<P = f64> {
     pub inertia: P,
 }
 
+/// What the equations of motion ask of a mechanism besides its bodies.
+#[derive(Clone, Copy, Debug)]
+pub struct Asked<P> {
+    /// Where it slews.
+    pub turntable: Option<Turntable<P>>,
+    /// It does so on a slope.
+    pub leans: bool,
+    /// The length and the lever arm of its drive.
+    pub drive: bool,
+}
+
 /// The load on its rope: a pendulum in the plane of the mechanism.
 #[derive(Clone, Copy, Debug)]
 pub struct Pendulum<P = f64> {
@@ -183,19 +194,26 @@ impl<C: Calc, const N: usize> Moves<C, N> {
         }
     }
 
-    /// About a slewing axis, where there is one: with unit vectors along the bodies' bars and the changes of these, where a body has
-    /// inertia of its own.
+    /// About a slewing axis, where there is one, on a slope where that is asked, under gravity in m/s²: with unit vectors along the
+    /// bodies' bars and the changes of these, where a body has inertia of its own.
     #[must_use]
     pub fn turning<P: Calc>(
         self,
-        table: Option<&Turntable<P>>,
+        (gravity, asked): (P, &Asked<P>),
         bodies: [&Body<P>; N],
         bars: [Option<[Point<C>; 2]>; N],
     ) -> Moves<C, N>
     where
         C: Over<P>,
     {
-        let Some(table) = table else { return self };
+        let Some(table) = &asked.turntable else { return self };
+        let weighed = asked.leans.then(|| {
+            let (gravity, axis) = (C::of(gravity), C::of(table.axis));
+            let each = bodies.iter().zip(&self.bodies);
+            let each = each.map(|(body, moved)| (C::of(body.mass), moved.centre));
+            let of = |(mass, [at, travel, _]): (C, [Point<C>; 3])| [mass * gravity, at.x - axis, travel.x];
+            weighed_forward(each.chain(self.counterweight).map(of))
+        });
         let (axis, two) = (C::of(table.axis), C::constant(2.0));
         let each = bodies.into_iter().zip(&self.bodies).zip(bars.into_iter().zip(UPRIGHT));
         let each = each.map(|((body, moved), (bar, [about, change]))| {
@@ -218,7 +236,7 @@ impl<C: Calc, const N: usize> Moves<C, N> {
             }
         }
         let turn = [whole.def(&s::I_SL), change.def(&s::DI_SL)];
-        Moves { turn, ..self }
+        Moves { turn, weighed, ..self }
     }
 }
 

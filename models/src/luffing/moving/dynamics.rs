@@ -8,9 +8,9 @@ use num_dual::Dual64;
 
 use crate::kernel::calc::{Calc, Over};
 use crate::kernel::record::Rec;
-use crate::luffing::moving::bodies::{Pendulum, Turntable};
+use crate::luffing::moving::bodies::{Asked, Pendulum, Turntable};
 use crate::luffing::moving::geared::Geared;
-use crate::luffing::moving::reduced::{Asked, CoordinateNames, Reduced, Reduces};
+use crate::luffing::moving::reduced::{CoordinateNames, Reduced, Reduces};
 use crate::luffing::moving::symbols as s;
 use crate::luffing::moving::weather::{Exposes, Outdoors, Weather};
 use crate::parts::air::AirDrag;

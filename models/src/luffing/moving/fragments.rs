@@ -13,7 +13,7 @@ macro_rules! coordinate {
 }
 pub(crate) use coordinate;
 
-/// Groups of its constants, its hoist, by a motor too where one is named, and what is around its load.
+/// Groups of its constants, its hoist, by a motor too where one is named, what is around its load, and what slews with it.
 macro_rules! plant {
     (($($motor:ident)?) $($to:tt)*) => {
         $crate::component::fragments::composed! { @with {
@@ -23,6 +23,7 @@ macro_rules! plant {
             Parameter give: Option<$crate::luffing::moving::hoisting::RopeGive<C>>,
             Parameter around: Option<$crate::parts::air::AirAround<C>>,
             Parameter ground: Option<$crate::parts::ground::GroundBelow<C>>,
+            Parameter slewed: Option<$crate::luffing::moving::given::SlewedParts<C>>,
         } $($to)* }
     };
 }
@@ -50,7 +51,7 @@ macro_rules! single_boom {
         $crate::component::fragments::composed! { @with {
             parts[constants]: Vec<$crate::luffing::moving::single::SingleParts<$kind, C>> =
                 $crate::luffing::moving::single::parts(
-                    $bodies, load[!], balance, hoist, around, ground, constants[!], fitted
+                    $bodies, load[!], balance, hoist, around, ground, slewed, constants[!], fitted
                 ) => _;
             boom[constants]: Vec<
                 $crate::luffing::moving::reduced::Renewed<$crate::luffing::moving::single::Heavy<$kind, C>>
@@ -138,7 +139,8 @@ macro_rules! pulled {
 }
 pub(crate) use pulled;
 
-/// Stages of what air and ground do to the load, wind and slope to the bodies, and of what blows have taken.
+/// Stages of what air and ground do to the load, wind and slope to the bodies, of what blows have taken, of what acts on slewing,
+/// and of the load as seen from the head then.
 macro_rules! surrounded {
     (($phi:ident) $($to:tt)*) => {
         $crate::component::fragments::composed! { @with {
@@ -148,6 +150,10 @@ macro_rules! surrounded {
                 $crate::luffing::moving::stages::standing(built, told, at, $phi, ground[!]) => [N_G, H_G];
             acted: $crate::luffing::moving::stages::BarActed<C> = $crate::luffing::moving::stages::acted(built, told, at, $phi);
             blown: C = $crate::luffing::moving::stages::blown(at) => W_BLOW;
+            on_slewing: $crate::luffing::moving::stages::OnSlewing<C> =
+                $crate::luffing::moving::stages::OnSlewing::new(built, told, at, $phi, slewed[!], around, states[!]);
+            seen: $crate::luffing::moving::stages::LoadSeen<C> =
+                $crate::luffing::moving::stages::LoadSeen::new(at, fitted);
         } $($to)* }
     };
 }

@@ -611,7 +611,7 @@ impl<const N: usize> System<N> for Piece<'_, N> {
                 }
                 Crane::Slewing(_) => {
                     let mut state: space::SlewingState = self.modes.of(y);
-                    state.straighten();
+                    state.straighten(state.y[11]);
                     put(y, &state.y);
                 }
             }

@@ -3,6 +3,7 @@
 use crate::component::mechanism::Solver;
 use crate::luffing::moving::scene::Moving;
 use crate::luffing::moving::symbols as s;
+use crate::parts::air::AROUND;
 
 /// What the rates cost, in s, without a load that swings and with it.
 const COST: [[f64; 2]; 2] = [[0.1e-6, 0.0], [0.15e-6, 0.0]];
@@ -30,23 +31,33 @@ pub fn set_level(moving: &mut Option<Moving>, level: &str) -> bool {
 
 /// Tables that a level does not use, with their keys where it uses others.
 #[must_use]
-pub fn unused(level: &str) -> Vec<(&'static str, &'static [&'static str])> {
-    match level {
-        "swing" => Vec::new(),
-        "rigid" => vec![
-            ("hoisting", &[]),
-            ("air", &[]),
-            ("ground", &[]),
-            ("dynamics", &["l_R", "phi_R", "v_h", "a_h"]),
-        ],
-        _ => vec![
+pub fn unused(level: &str, moving: Option<&Moving>) -> Vec<(&'static str, &'static [&'static str])> {
+    let mut unused: Vec<(&'static str, &'static [&'static str])> = match level {
+        "static" | "table" => vec![
             ("dynamics", &[]),
-            ("control", &[]),
             ("hoisting", &[]),
             ("air", &[]),
             ("ground", &[]),
+            ("slewing", &[]),
+            ("control", &[]),
+            ("hydraulics", &[]),
         ],
+        "rigid" | "swing" => vec![("hydraulics", &[])],
+        _ => vec![("dynamics", &["M_A", "M_S"]), ("control", &[])],
+    };
+    let rope = moving.is_some_and(|moving| moving.rope.is_some());
+    let side = moving.is_some_and(|moving| moving.area.is_some());
+    if !(rope && matches!(level, "swing" | "hydraulic")) {
+        unused.extend([
+            ("slewing", &["chi_R"][..]),
+            ("hoisting", &[]),
+            ("air", if side { &AROUND } else { &[] }),
+            ("ground", &[]),
+            ("dynamics", &["l_R", "phi_R", "v_h", "a_h"][..]),
+            ("limits", &["phi_max"][..]),
+        ]);
     }
+    unused
 }
 
 #[must_use]
@@ -106,7 +117,7 @@ macro_rules! boom_levels {
         }
 
         fn unused(&self, level: &str) -> Vec<(&'static str, &'static [&'static str])> {
-            $crate::luffing::moving::levels::unused(level)
+            $crate::luffing::moving::levels::unused(level, self.moving.as_ref())
         }
 
         fn solver(&self) -> Option<$crate::component::mechanism::Solver> {

@@ -7,7 +7,7 @@ use num_dual::Dual64;
 
 use crate::kernel::calc::{Calc, Over};
 use crate::kernel::symbol::Symbol;
-use crate::luffing::moving::bodies::{Body, Moves, Turntable, WeighedBodies};
+use crate::luffing::moving::bodies::{Asked, Body, Moves, WeighedBodies};
 use crate::luffing::moving::symbols::{self as s, OfSums};
 use crate::luffing::moving::weather::Outside;
 use crate::parts::plane::{Point, dot, squared};
@@ -37,7 +37,7 @@ pub struct Reduced<C> {
     pub outside: Option<[C; 3]>,
 }
 
-/// What a mechanism does that few of them do, one thing at most: what leads the load's rope does not slew.
+/// What a mechanism does that few of them do, one thing at most: what leads the load's rope slews on level ground alone.
 #[derive(Clone, Copy, Debug)]
 pub enum LeadsOrLeans<C> {
     Nothing,
@@ -262,17 +262,6 @@ impl<C: Calc> Reduced<C> {
             outside: None,
         }
     }
-}
-
-/// What the equations of motion ask of a mechanism besides its bodies.
-#[derive(Clone, Copy, Debug)]
-pub struct Asked<P> {
-    /// Where it slews.
-    pub turntable: Option<Turntable<P>>,
-    /// It does so on a slope.
-    pub leans: bool,
-    /// The length and the lever arm of its drive.
-    pub drive: bool,
 }
 
 /// What the quantities of a mechanism's coordinate are called.

@@ -52,8 +52,14 @@ pub const fn dynamics<const N: usize>(bodies: &[Key]) -> [Key; N] {
     keys
 }
 
-/// Keys of `[luffing.slewing]`.
-pub static SLEWING_KEYS: &[Key] = keys! { s:
+/// What slews with a mechanism, a part of a crane that may also stand beside `[luffing]`, at the top of the scene.
+pub const SLEWING: Key = Key::part(
+    "slewing",
+    SLEWING_KEYS,
+    "Inertia, friction and drive of a crane in motion that slews.",
+);
+
+static SLEWING_KEYS: &[Key] = keys! { s:
     J_SL >= 0, C_SL >= 0 [optional], M_F_SL >= 0 [optional], M_SL [over_time, optional], M_B_SL >= 0 [over_time, optional],
     A_WS >= 0 [optional], R_WS [optional], PSI_SL [optional], OMEGA_SL [optional], PSI_MIN [optional], PSI_MAX [optional], CHI_R [optional]; turntable_control::CONTROL, SLOPE
 };
@@ -152,6 +158,7 @@ impl Moving {
         load_taken(self.rope.as_ref(), fixed)
             .chain(shaft.into_iter().flatten())
             .chain(controls)
+            .chain(self.slewing.map(|_| "slewing"))
     }
 
     /// With its load fixed to the head.
@@ -290,11 +297,24 @@ pub fn brisk(v: &Values, moving: &Moving, motion: &Motion, found: &mut Vec<Diagn
     }
 }
 
-/// Refuses a slewing moment that no crane would outlast, while the range is luffed.
-pub fn outlasts(v: &Values, moving: &Moving, motion: &Motion, [reach, mass]: [f64; 2], found: &mut Vec<Diagnostic>) {
+/// Refuses a slewing moment that no crane would outlast, while the range is luffed: with the load and some weights at the end of
+/// some lengths.
+pub fn outlasts(
+    v: &Values,
+    moving: &Moving,
+    motion: &Motion,
+    [lengths, weights]: [&[&'static Symbol]; 2],
+    found: &mut Vec<Diagnostic>,
+) {
     let Some((table, slewing)) = v.table("slewing").zip(moving.slewing) else {
         return;
     };
+    let sum = |table: Option<&Values>, of: &[&'static Symbol]| {
+        let each = of.iter().filter_map(|symbol| table?.of(symbol));
+        each.map(f64::abs).sum::<f64>()
+    };
+    let weight = v.number("Q").unwrap_or(0.0) + sum(v.table("weights"), weights);
+    let (reach, mass) = (sum(Some(v), lengths), weight / moving.constants.g);
     if moving.controllers.is_some_and(|it| it.control.0[1].is_some()) {
         let speeds = turntable_control::fastest(table);
         return found.extend(too_fast(&speeds, (reach, "at the head"), moving.constants.g));

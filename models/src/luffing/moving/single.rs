@@ -15,15 +15,15 @@ use crate::kernel::record::Rec;
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::Fault;
 use crate::luffing::moving::balance_in_motion::{BalanceInMotion, PosedCounterweight};
-use crate::luffing::moving::bodies::{Turntable, deviation};
+use crate::luffing::moving::bodies::{Asked, deviation};
 use crate::luffing::moving::built::{HoistParts, LevelParts, Outfit};
 use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
 use crate::luffing::moving::exposed::Exposed;
 use crate::luffing::moving::geared::Geared;
-use crate::luffing::moving::given::{Constants, Fitted};
+use crate::luffing::moving::given::{Constants, Fitted, SlewedParts};
 use crate::luffing::moving::inertia_forces::{PosedBody, weight_and_inertia};
 use crate::luffing::moving::level::{CraneAt, Level};
-use crate::luffing::moving::reduced::{Asked, CoordinateNames, Reduced, Reduces, Renewed};
+use crate::luffing::moving::reduced::{CoordinateNames, Reduced, Reduces, Renewed};
 use crate::luffing::moving::shares::Instant;
 use crate::luffing::moving::stages::{CraneMoves, open, present};
 use crate::luffing::moving::symbols as s;
@@ -70,11 +70,11 @@ pub trait SingleBoom: Copy + Send + Sync + 'static {
         None
     }
 
-    /// Under gravity (m/s²), about a slewing axis where it turns about one, at the boom's angle (rad), the counterweight by its mass
-    /// (kg) and place (m); `None` where there is no such place.
+    /// Under gravity (m/s²), as the equations of motion ask, at the boom's angle (rad), the counterweight by its mass (kg) and place
+    /// (m); `None` where there is no such place.
     fn at<P: Calc, C: Over<P>>(
         bodies: &Self::Bodies<P>,
-        around: (P, Option<&Turntable<P>>),
+        around: (P, &Asked<P>),
         phi: C,
         counterweight: Option<Weight<C>>,
     ) -> Option<Reduced<C>>;
@@ -126,13 +126,13 @@ where
     fn reduced(&self, phi: P, asked: &Asked<P>) -> Option<Reduced<P>> {
         let weight = self.balance.as_ref().map(|balance| P::weighed(balance, phi));
         let weight = weight.map_or(Some(None), |found| found.map(Some))?;
-        B::at(&self.bodies, (self.gravity, asked.turntable.as_ref()), phi, weight)
+        B::at(&self.bodies, (self.gravity, asked), phi, weight)
     }
 
     fn with_slope(&self, phi: Dual64, asked: &Asked<P>) -> Option<Reduced<Dual64>> {
         let weight = self.balance.as_ref().map(|balance| balance.with_slope(phi));
         let weight = weight.map_or(Some(None), |found| found.map(Some))?;
-        B::at(&self.bodies, (self.gravity, asked.turntable.as_ref()), phi, weight)
+        B::at(&self.bodies, (self.gravity, asked), phi, weight)
     }
 
     fn names(&self) -> CoordinateNames {
@@ -303,6 +303,7 @@ pub fn parts<B: SingleBoom, C: Calc>(
     hoist: &HoistParts<C>,
     around: &Option<AirAround<C>>,
     ground: &Option<GroundBelow<C>>,
+    slewed: &Option<SlewedParts<C>>,
     constants: &Constants<C>,
     fitted: &Fitted,
     room: &mut Vec<SingleParts<B, C>>,
@@ -318,7 +319,7 @@ pub fn parts<B: SingleBoom, C: Calc>(
             range,
             axis,
             constants: *constants,
-            slewed: None,
+            slewed: *slewed,
             cylinder: None,
             around: *around,
             ground: *ground,

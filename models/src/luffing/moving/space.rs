@@ -12,6 +12,7 @@ use crate::luffing::moving::reduced::Reduced;
 use crate::luffing::moving::symbols as s;
 use crate::parts::ground::Raised;
 use crate::parts::hanging::{Accelerations, HangingLoad, HeadRope, dot, squared, to_load, turned};
+use crate::parts::hoist::RopeAction;
 use crate::parts::joint::Bar;
 use crate::parts::solver::Halt;
 
@@ -66,9 +67,20 @@ impl<const N: usize> CraneState<N, 2> {
         self.y[7..10].copy_from_slice(load.rate.as_slice());
     }
 
-    /// Puts the load of a taut rope at its end, moving with it, where roundings have moved it by more than a few bits.
-    pub(crate) fn straighten(&mut self) {
-        self.put(load_of(&self.y).straightened(self.y[10], self.y[11]));
+    /// Puts the load of a taut rope, paid out at a rate (m/s), at its end, moving with it, where roundings have moved it by more
+    /// than a few bits.
+    pub(crate) fn straighten(&mut self, rate: f64) {
+        self.put(load_of(&self.y).straightened(self.y[10], rate));
+    }
+
+    /// How fast its rope is paid out, in m/s.
+    fn paid(&self, r: &Reduced<f64>) -> f64 {
+        r.paid(self.y[11], self.y[1])
+    }
+
+    /// Its rope at a head that moves so with each joint (m).
+    fn rope(&self, r: &Reduced<f64>, head: &[Vector3<f64>; 2]) -> HeadRope<f64, 2> {
+        HeadRope::new(load_of(&self.y).place, head).led(r.lead().map(|[lead, _]| lead))
     }
 }
 
@@ -83,6 +95,18 @@ pub fn angles<C: Calc, const N: usize>(y: &[C; N]) -> [C; 2] {
 #[must_use]
 pub fn distance<C: Calc, const N: usize>(y: &[C; N]) -> C {
     squared(load_of(y).place).sqrt()
+}
+
+/// How a rope acts on the load where luffing at an angular velocity (rad/s) adds to it.
+fn led<C: Calc>(line: RopeAction<C>, r: &Reduced<C>, omega: C) -> RopeAction<C> {
+    match (line, r.bend(omega)) {
+        (RopeAction::Taut { rate, gain, drum }, Some(bend)) => RopeAction::Taut {
+            rate: r.paid(rate, omega),
+            gain: Some(gain.map_or(bend, |gain| gain + bend)),
+            drum,
+        },
+        (line, _) => line,
+    }
 }
 
 fn load_of<C: Calc, const N: usize>(y: &[C; N]) -> HangingLoad<C> {
@@ -110,7 +134,7 @@ impl<const N: usize, P: Calc> Hangs<N, 2, P> for MovingCrane<N, 2, P> {
             drive.moment + resistance.def([&s::M_R, &s::M_R_SL][i])
         };
         let free = state.joints.map(|joint| joint != Bar::Held);
-        let line = self.line(at);
+        let line = led(self.line(at), r, y[1]);
         let aside = self.dynamics.pushed_aside(y[2]);
         let mut moments = [moment(0), aside.map_or_else(|| moment(1), |aside| moment(1) + aside)];
         if let Some([lifts, turns]) = self.dynamics.leaned(r, y[2]) {
@@ -129,7 +153,7 @@ impl<const N: usize, P: Calc> Hangs<N, 2, P> for MovingCrane<N, 2, P> {
         if self.hoist().is_some() {
             out[4..7].copy_from_slice(a.rate.as_slice());
             out[7..10].copy_from_slice(a.load.as_slice());
-            out[10] = y[11];
+            out[10] = at.r.paid(y[11], y[1]);
         }
         out
     }
@@ -187,7 +211,7 @@ impl<const N: usize, P: Calc> MovingCrane<N, 2, P> {
         let head = self.dynamics.head(r);
         let mut load = load_of(y);
         if self.is_kept(state) {
-            load = load.on_rope(&HeadRope::new(load.place, &head), y[11]);
+            load = load.on_rope(&HeadRope::new(load.place, &head), r.paid(y[11], y[1]));
         }
         let place = load.place + Vector3::new(head[1].z, r.head[0].y, C::constant(0.0));
         let of_luffing = head[0].map(|part| part * y[1]);
@@ -222,7 +246,7 @@ impl<const N: usize> Struck<N, 2> for MovingCrane<N, 2> {
             self.shift(state, &head, lost, Vector3::zeros());
             return;
         }
-        let rope = HeadRope::new(load_of(&state.y).place, &head);
+        let rope = state.rope(r, &head);
         let ease = self.ease(state, r);
         let give = self.giving(state, &rope, ease, pendulum.mass);
         let pull = -(rope.arms[i] * lost[i]) / give;
@@ -236,14 +260,14 @@ impl<const N: usize> Struck<N, 2> for MovingCrane<N, 2> {
         };
         if !state.taut {
             let (load, head) = (load_of(&state.y), self.dynamics.head(r));
-            let rope = HeadRope::new(load.place, &head);
-            let excess = rope.direction.dot(&load.rate) - state.y[11];
+            let rope = state.rope(r, &head);
+            let excess = rope.direction.dot(&load.rate) - state.paid(r);
             if rope.length < state.y[10] || excess <= 0.0 {
                 return;
             }
             self.catch(state, r, pendulum.mass, excess);
         }
-        state.straighten();
+        state.straighten(state.paid(r));
         state.taut = self.accelerations(&state.at(r, commands)).slackening >= 0.0;
     }
 
@@ -254,7 +278,7 @@ impl<const N: usize> Struck<N, 2> for MovingCrane<N, 2> {
             return;
         };
         let head = self.dynamics.head(r);
-        let rope = HeadRope::new(load_of(&state.y).place, &head);
+        let rope = state.rope(r, &head);
         let (kept, led) = (self.is_kept(state), self.is_kept(state) && rope.arms[0] * way <= 0.0);
         // What the load's own speed changes by, for a change of luffing that is all its own.
         let mut share = 0.0;
@@ -290,7 +314,7 @@ impl<const N: usize> MovingCrane<N, 2> {
     /// The rope's end goes away from the load at a speed (m/s): a plastic blow.
     fn catch(&self, state: &mut CraneState<N, 2>, r: &Reduced<f64>, mass: f64, excess: f64) {
         let head = self.dynamics.head(r);
-        let (rope, ease) = (HeadRope::new(load_of(&state.y).place, &head), self.ease(state, r));
+        let (rope, ease) = (state.rope(r, &head), self.ease(state, r));
         let give = self.giving(state, &rope, ease, mass);
         self.jerk(state, &head, &rope, ease, excess / give, mass, [0.0; 2]);
         state.taut = true;

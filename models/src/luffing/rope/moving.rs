@@ -4,7 +4,7 @@ use crate::balance::boom::Plain;
 use crate::kernel::calc::{Calc, Over};
 use crate::kernel::group::quantities;
 use crate::kernel::symbol::{Symbol, listed};
-use crate::luffing::moving::bodies::{Body, MovedBody, Moves, Turntable};
+use crate::luffing::moving::bodies::{Asked, Body, MovedBody, Moves};
 use crate::luffing::moving::reduced::{CoordinateNames, Reduced};
 use crate::luffing::moving::single::SingleBoom;
 use crate::luffing::moving::symbols::{self as m, OfSums};
@@ -154,7 +154,7 @@ impl SingleBoom for Roped {
     /// `None` where the head is at the sheave. What turns about the foot has x″ = −x, y″ = −y.
     fn at<P: Calc, C: Over<P>>(
         of: &RopedBodies<P>,
-        (gravity, table): (P, Option<&Turntable<P>>),
+        (gravity, asked): (P, &Asked<P>),
         phi: C,
         counterweight: Option<Weight<C>>,
     ) -> Option<Reduced<C>> {
@@ -170,9 +170,12 @@ impl SingleBoom for Roped {
             centre: [centre, turned(centre), -centre],
             turn: [one, zero],
         };
+        let along = Point::new(cos, sin);
+        let lies = Some([along, turned(along)]);
         let Some(load) = &of.load else {
             let bend = plane::def(-head, [&m::DDA_X, &m::DDA_Y]);
             let moves = Moves::in_plane([boom], counterweight, [head, travel, bend], Some([led[1], led[2]]));
+            let moves = moves.turning((gravity, asked), [&of.boom], [lies]);
             return Some(Reduced::of([&of.boom], [&OF_BODY[0]], gravity, moves));
         };
         let hanging = MovedBody {
@@ -180,10 +183,8 @@ impl SingleBoom for Roped {
             turn: [zero; 2],
         };
         let bodies = [&of.boom, load];
-        let along = Point::new(cos, sin);
-        let bars = [Some([along, turned(along)]), None];
         let moves = Moves::in_plane([boom, hanging], counterweight, [head, travel, -head], None);
-        let moves = moves.turning(table, bodies, bars);
+        let moves = moves.turning((gravity, asked), bodies, [lies, None]);
         let names = OF_BODY.each_ref();
         Some(Reduced::of(bodies, names, gravity, moves))
     }

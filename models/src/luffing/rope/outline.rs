@@ -8,17 +8,20 @@ use crate::luffing::moving::control::SETTINGS;
 use crate::luffing::moving::symbols as m;
 use crate::luffing::resistances::outline::{EXTREMES, LIMITS, SUMMARY, USES};
 use crate::luffing::rope::symbols as s;
+use crate::parts::turntable;
 
 /// What given quantities of its own are for that no formula has.
-const OWN_USES: [Purpose; 4] = [
+const OWN_USES: [Purpose; 6] = [
     ("unloaded", &[&s::ETA_H]),
-    ("start", &[&m::L_R, &m::PHI_R]),
+    ("start", &[&m::L_R, &m::PHI_R, &turntable::CHI_R]),
+    ("friction", listed!(turntable: C_SL, M_F_SL)),
+    ("stops", listed!(turntable: PSI_MIN, PSI_MAX)),
     ("hoist", &[&m::V_H, &m::A_H]),
     ("control", SETTINGS),
 ];
 
 pub const OUTLINE: Outline = Outline {
-    inputs: chapters!(geometry "", tackle, hoist_rope, weights, balance, load "Q", motion, moving "dynamics", luffing_control "control", hoisting, air, ground,
+    inputs: chapters!(geometry "", tackle, hoist_rope, weights, balance, load "Q", motion, moving "dynamics", luffing_control "control", hoisting, air, ground, slewing, slope "slewing.slope", slewing_control "slewing.control",
         cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_start "cases.start", case_curve "cases.start.curve", case_brake "cases.brake", case_second_brake "cases.second_brake",
         case_rope "cases.rope", case_pin_sizes "cases.pin_size", limits),
     constants: &[
@@ -81,7 +84,7 @@ pub const OUTLINE: Outline = Outline {
         ],
         LIMITS,
     ),
-    uses: &joined::<Purpose, 4, 3, 7>(OWN_USES, USES),
+    uses: &joined::<Purpose, 6, 3, 9>(OWN_USES, USES),
     forces: listed!(s: F_O1X, F_O1Y, N_B, T, T_UP, S_L_UP, S_H_UP, M_D),
     worst: &[("greatest_pull", &s::T_MAX)],
 };

@@ -26,7 +26,7 @@ use crate::luffing::moving;
 use crate::luffing::moving::control::luffing::CONTROL;
 use crate::luffing::moving::hoisting::BY_SPEED_KEYS;
 use crate::luffing::moving::levels::{self, boom_levels};
-use crate::luffing::moving::scene::{Inert, Moving, brisk, dynamics, turns};
+use crate::luffing::moving::scene::{Inert, Moving, SLEWING, brisk, dynamics, outlasts, turns};
 use crate::luffing::moving::symbols as m;
 use crate::luffing::moving::told::motion::moved;
 use crate::luffing::resistances::scene::{CASES, Cases, left};
@@ -39,17 +39,18 @@ use crate::luffing::rope::stages::{Given, RopeBoom};
 use crate::luffing::rope::symbols as s;
 use crate::luffing::strength;
 use crate::luffing::with_balance::{WithBalance, searched};
-use crate::parts::air::AIR;
+use crate::parts::air::AIR_OR_WIND;
 use crate::parts::ground::GROUND;
 use crate::parts::motion::{Motion, degrees};
 use crate::parts::plane::{self, Point};
 use crate::parts::shaping;
+use crate::parts::slope::SLOPE;
 use crate::parts::teeth;
-use crate::parts::{air, ground, hanging, hydraulics};
+use crate::parts::{air, ground, hanging, hydraulics, side_wind, slope, turntable, turntable_control};
 use crate::parts::{motor, starts};
 
 /// Keys of `[luffing]` with one of the two kinds.
-const fn keys(kind: Key, hoist_rope: &'static [Key]) -> [Key; 20] {
+const fn keys(kind: Key, hoist_rope: &'static [Key]) -> [Key; 21] {
     [
         kind,
         Key::quantity(&s::L, Sign::Positive),
@@ -72,9 +73,10 @@ const fn keys(kind: Key, hoist_rope: &'static [Key]) -> [Key; 20] {
             "Inertia, friction, drive and rope of a boom in motion.",
         ),
         CONTROL,
-        AIR,
+        AIR_OR_WIND,
         GROUND,
         Key::part("hoisting", BY_SPEED_KEYS, "Rope and hoist of a load that swings."),
+        SLEWING,
         INTERPOLATION,
         CASES,
         Key::part(
@@ -140,7 +142,7 @@ impl Described for Rope {
     const ID: &'static str = "rope";
     const TABLE: &'static str = "luffing";
     const OUTLINE: &'static Outline = &OUTLINE;
-    const FOLLOWED: &'static [&'static Symbol] = listed!(m: S_R, H_G, N_G, M_A);
+    const FOLLOWED: &'static [&'static Symbol] = listed!(m: S_R, H_G, N_G, M_A, M_SL, M_WS, M_GAMMA);
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "rope_symbol",
         own: &[s::ALL],
@@ -158,6 +160,10 @@ impl Described for Rope {
             air::ALL,
             ground::ALL,
             hanging::ALL,
+            turntable::ALL,
+            turntable_control::ALL,
+            side_wind::ALL,
+            slope::ALL,
             hydraulics::symbols::ALL,
         ],
     };
@@ -167,6 +173,7 @@ impl Described for Rope {
         let (range, balance) = begun(v, "G_b and r_b", found)?;
         if let Some(moving) = &moving {
             brisk(v, moving, &range, found);
+            outlasts(v, moving, &range, [listed!(s: L, X_8), &[&b::G_B]], found);
         }
         let cases = Cases::read(v, &resisting::PARTS, balance.as_ref(), gravity, found);
         let given = at_rest! { (cases) without [slack];
@@ -374,7 +381,16 @@ fn moves(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<Moving
     };
     let moving = Moving::new(v, gravity, &bodies, found)?;
     found.extend(elsewhere(v, &moving));
+    found.extend(leaning(v));
     Some(moving)
+}
+
+/// A slope under a boom that slews: what its load's rope over the sheave has of it depends on the slewing angle.
+fn leaning(v: &Values) -> Option<Diagnostic> {
+    let table = v.table("slewing").filter(|table| table.has(SLOPE.name))?;
+    let what = "a slope under a boom that slews and leads its load's rope over a sheave";
+    let help = "remove [slewing.slope]; a boom that does not slew takes a slope as sigma_m in [luffing.dynamics]";
+    Some(table.refuse(SLOPE.name, what, "not modelled", help))
 }
 
 /// Part of a length by which two that are the same may differ, as their units are.
