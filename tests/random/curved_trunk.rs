@@ -9,7 +9,7 @@ use lemnis_models::luffing::curved_trunk::symbols as s;
 use toml::{Table, Value};
 
 use crate::cases::cases;
-use crate::luffing::{drive_about_origin, dynamics, moving_parts, tail_balance, working_range};
+use crate::luffing::{boom_level, drive_about_origin, dynamics, moving_parts, tail_balance, working_range};
 use crate::scene::{Draw, Node};
 
 /// A result that every level has.
@@ -48,8 +48,7 @@ fn direction(arc: [f64; 3], ends: [f64; 2], tie: f64, e: [f64; 2], phi: f64) -> 
 }
 
 pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
-    let level = draw.pick(&["static", "table", "rigid", "swing"]);
-    let (moves, rope) = (matches!(level, "rigid" | "swing"), level == "swing");
+    let (level, [moves, rope]) = boom_level(draw);
     let mut table = draw.table(keys);
     let mut n = Node::new(draw, keys, &mut table);
     moving_parts(&mut n, level, [moves, rope]);

@@ -7,7 +7,9 @@ use lemnis_models::luffing::ellipsograph::symbols as s;
 use toml::Table;
 
 use crate::cases::cases;
-use crate::luffing::{LEAST_LENGTH, drive_about_origin, dynamics, moving_parts, tail_balance, working_range};
+use crate::luffing::{
+    LEAST_LENGTH, boom_level, drive_about_origin, dynamics, moving_parts, tail_balance, working_range,
+};
 use crate::scene::{Draw, Node};
 
 /// A result that every level has.
@@ -20,8 +22,7 @@ const LONGEST: f64 = 1e6;
 const BOOM: [f64; 2] = [0.05, 3.09];
 
 pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
-    let level = draw.pick(&["static", "table", "rigid", "swing"]);
-    let (moves, rope) = (matches!(level, "rigid" | "swing"), level == "swing");
+    let (level, [moves, rope]) = boom_level(draw);
     let mut table = draw.table(keys);
     let mut n = Node::new(draw, keys, &mut table);
     let size = n.draw.scale[0];

@@ -129,6 +129,18 @@ fn reach(linkage: &Linkage, from: f64, margins: &[Margin]) -> Option<[f64; 2]> {
     Some([end(-1.0)?, end(1.0)?])
 }
 
+/// A level of a single boom, whether it moves there, and whether its load swings.
+pub fn boom_level(draw: &mut Draw) -> (&'static str, [bool; 2]) {
+    let level = draw.pick(&["static", "table", "rigid", "swing", "auto"]);
+    match level {
+        "auto" => {
+            let moves = draw.coin(0.5);
+            (level, [moves, moves && draw.coin(0.5)])
+        }
+        _ => (level, [matches!(level, "rigid" | "swing"), level == "swing"]),
+    }
+}
+
 /// The tables that a mechanism has at a level, or may have, where it moves, and its load swings.
 pub fn moving_parts(n: &mut Node, level: &str, [moves, rope]: [bool; 2]) {
     n.put("fidelity", level);
@@ -144,6 +156,9 @@ pub fn moving_parts(n: &mut Node, level: &str, [moves, rope]: [bool; 2]) {
     n.keep("ground", rope && hoists && bears);
     if moves {
         n.keep("weights", true);
+    }
+    if let Some(mut limits) = n.child("limits").filter(|_| !rope) {
+        limits.remove(&["phi_max"]);
     }
 }
 

@@ -9,7 +9,7 @@ use lemnis_models::luffing::rope::symbols as s;
 use toml::Table;
 
 use crate::cases::cases;
-use crate::luffing::{dynamics, moving_parts, tail_balance, working_range};
+use crate::luffing::{boom_level, dynamics, moving_parts, tail_balance, working_range};
 use crate::scene::{Draw, Node};
 
 /// A result that every level has.
@@ -19,8 +19,7 @@ pub const RESULT: (&str, &Symbol) = ("A.x", &s::A_X);
 const BOOM: [f64; 2] = [-0.2, 1.4];
 
 pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
-    let level = draw.pick(&["static", "table", "rigid", "swing"]);
-    let (moves, swings) = (matches!(level, "rigid" | "swing"), level == "swing");
+    let (level, [moves, swings]) = boom_level(draw);
     let mut table = draw.table(keys);
     let mut n = Node::new(draw, keys, &mut table);
     let size = n.draw.scale[0];

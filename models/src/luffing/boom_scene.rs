@@ -22,8 +22,8 @@ pub const FIDELITY: Key = Key::choice(
 /// The same of one that may move by itself.
 pub const MOVING_FIDELITY: Key = Key::choice(
     "fidelity",
-    &["static", "table", "rigid", "swing"],
-    "How deep it is modelled: \"static\" (the angle is an input), \"table\" (the same, interpolated over the working range), \"rigid\" (it moves under a moment), \"swing\" (and the load swings on its rope).",
+    &["static", "table", "rigid", "swing", "auto"],
+    "How deep it is modelled: \"static\" (the angle is an input), \"table\" (the same, interpolated over the working range), \"rigid\" (it moves under a moment), \"swing\" (and the load swings on its rope), \"auto\" (the cheapest that keeps to `accuracy`).",
 );
 
 pub const INTERPOLATION: Key = Key::part("table", TABLE, "Interpolation, with fidelity \"table\".");

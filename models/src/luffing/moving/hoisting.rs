@@ -175,6 +175,14 @@ pub fn surround(v: &Values, rope: &mut Option<LoadRope>, gravity: f64, found: &m
     Some(())
 }
 
+/// A limit of the load's swing where no load swings; of what cannot be read nobody knows whether it does.
+pub fn no_swing(v: &Values, may_swing: bool) -> Option<Diagnostic> {
+    let id = s::PHI_MAX.id;
+    let limits = v.table("limits").filter(|limits| limits.has(id) && !may_swing)?;
+    let what = format!("a limit {id} without a swinging load");
+    Some(limits.refuse(id, what, "nothing to check", "remove the limit"))
+}
+
 /// How the hoist moves the rope.
 fn winch(table: &Values) -> Result<HoistKind, Diagnostic> {
     let n = |symbol: &Symbol| table.number(symbol.id);
