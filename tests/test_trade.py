@@ -149,6 +149,25 @@ def test_auto_is_the_cheapest_and_the_same_again(tmp_path):
         assert fmpy.validation.validate_fmu(str(folder / "LemniscateCrane.fmu")) == []
 
 
+@pytest.mark.parametrize("asked, level, left", [("5 m", "static", set()), ("1 mm", "swing", {"hoisting", "slewing", "dynamics"})])
+def test_auto_of_a_boom_leaves_out_what_no_accuracy_asks_for(tmp_path, asked, level, left):
+    """A boom that slews beside its table: parts at the top of the scene go with a level that has none."""
+    text = (ROOT / "models/scenes/rope_slewing.toml").read_text(encoding="utf-8")
+    text = text.replace('fidelity = "swing" ', 'fidelity = "auto" ').replace("[project]", f'accuracy = {{ "A.x" = "{asked}" }}\n\n[project]', 1)
+    path = tmp_path / "scene.toml"
+    path.write_text(text, encoding="utf-8")
+    told = lemnis("fmu", path, "--output", tmp_path)
+    assert f"the cheapest that keeps to the accuracy: {level}" in told
+    file = str(tmp_path / "RopeSlewing.fmu")
+    assert fmpy.validation.validate_fmu(file) == []
+    with zipfile.ZipFile(file) as archive:
+        inside = tomllib.loads(archive.read("resources/scene.toml").decode("utf-8"))
+    luffing = inside["luffing"]
+    assert luffing["fidelity"] == level and {"hoisting", "slewing", "dynamics"} & (set(luffing) | set(inside)) == left
+    run = fmpy.simulate_fmu(file, stop_time=2.0)
+    assert np.isfinite(run["A.x"]).all()
+
+
 def test_what_nothing_keeps_to_is_said(tmp_path):
     path = scene(tmp_path, "auto", SWING, 'accuracy = { "A.x" = "1e-12 m" }')
     message = lemnis("fmu", path, "--output", tmp_path / "out", expect=1)
