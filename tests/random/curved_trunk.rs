@@ -105,7 +105,27 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
         slowly(&mut n);
     }
     cases(&mut n, &PARTS);
+    sheltered(&mut n);
     table
+}
+
+/// In wind that leaves the tie of a light trunk taut.
+fn sheltered(n: &mut Node) {
+    let [length, mass, _] = n.draw.scale;
+    let heaviest = mass * n.draw.g * 3.0 * length;
+    let own = n
+        .child("weights")
+        .map_or(heaviest, |weights| weights.get("G_t") * weights.get("r_t"));
+    let part = (own / heaviest).min(1.0);
+    let Some(mut dynamics) = n.child("dynamics") else {
+        return;
+    };
+    for (name, part) in [("p_wm", part), ("v_wm", part.sqrt())] {
+        if dynamics.has(name) {
+            let value = dynamics.get(name);
+            dynamics.set(name, part * value);
+        }
+    }
 }
 
 /// The brake holds boom and trunk where the motion begins, and the rope pulls the trunk down: a boom that falls freely, or a load
