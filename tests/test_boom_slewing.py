@@ -56,7 +56,7 @@ def places(system, start, q):
 
 
 def rates(system, start, moment, gain):
-    """Of coordinates and their rates, the hoist's speed changing at a rate (m/s²); the wind blows on boom and guide."""
+    """Of coordinates and their rates, the hoist's speed changing at a rate (m/s²)."""
     def speeds(q, rate):
         return np.imag(places(system, start, q + 1e-30j * rate)[1]) / 1e-30
 
@@ -69,8 +69,7 @@ def rates(system, start, moment, gain):
         inertia = np.einsum("imx,m,jmx->ij", free, masses, free)
         inertia[1, 1] += 1.5e6
         forces = -np.einsum("imx,m,mx->i", free, masses, bias + np.array([0.0, G, 0.0]))
-        area = 30.0 if system is boom_on_guide_and_link else 0.0
-        wind = 0.5 * 1.225 * 36.0 * area * 7.0 * np.sin(np.radians(60.0) - q[1])
+        wind = 0.5 * 1.225 * 36.0 * 30.0 * 7.0 * np.sin(np.radians(60.0) - q[1])
         for i, (acting, name) in enumerate([(moment, "luffing"), (120e3 + wind, "slewing")]):
             viscous, dry = FRICTION[name]
             forces[i] += acting - viscous * rate[i] - dry

@@ -165,14 +165,15 @@ fn quantities(
     };
     for key in values.keys {
         let entry = values.entry(key.name);
-        if entry.is_none() && key.usual.is_none() {
+        let usual = values.usual(key);
+        if entry.is_none() && usual.is_none() {
             continue;
         }
         let path = joined(path, key);
         let mut add =
             |value, placed| found.extend(key.number().map(|(symbol, _)| (path.clone(), symbol, value, placed)));
         let Some((value, place)) = entry else {
-            key.usual.into_iter().for_each(|value| add(value, None));
+            usual.into_iter().for_each(|value| add(value, None));
             continue;
         };
         let shown = joined(shown, key);

@@ -14,8 +14,9 @@ pub struct Key {
     pub name: &'static str,
     pub kind: Kind,
     pub required: bool,
-    /// Of a quantity that a scene leaves out, in SI.
+    /// Of a quantity that a scene leaves out, in SI; and the key of the same table without which it says nothing, if any.
     pub usual: Option<f64>,
+    pub only_with: Option<&'static str>,
     /// Whether a scene may make an input of it.
     pub input: bool,
     /// How a scene may tell it over time, if it may: names of what it does from one time to the next.
@@ -80,6 +81,7 @@ impl Key {
             kind,
             required: true,
             usual: None,
+            only_with: None,
             input: false,
             between: &[],
             text,
@@ -207,6 +209,13 @@ impl Key {
         self.usual = Some(value);
         self.optional()
     }
+
+    /// What it usually is counts where another key of its table stands.
+    #[must_use]
+    pub const fn only_with(mut self, key: &'static str) -> Key {
+        self.only_with = Some(key);
+        self
+    }
 }
 
 /// A checked part of a scene.
@@ -270,8 +279,14 @@ impl Values {
         match self.entry(name) {
             Some((Value::Number(number), _)) => Some(number.value),
             Some(_) => None,
-            None => self.keys.iter().find(|key| key.name == name)?.usual,
+            None => self.usual(self.keys.iter().find(|key| key.name == name)?),
         }
+    }
+
+    /// What is usual of a key, where it says anything.
+    pub(super) fn usual(&self, key: &Key) -> Option<f64> {
+        key.usual
+            .filter(|_| key.only_with.is_none_or(|other| self.entry(other).is_some()))
     }
 
     /// Whether the scene makes an input of a quantity.

@@ -53,7 +53,7 @@ const AIR_KEYS: &[Key] = keys! { s:
     RHO_AIR > 0 [usually(1.225)], V_AIR [over_time, optional], CHI_AIR [over_time, optional]
 };
 
-/// The same of slewing, where the wind may act on the structure alone.
+/// The same of slewing, where the wind may act on the structure alone: what is of a load stands with that.
 pub const AIR_OR_WIND: Key = Key::part(
     AIR.name,
     &WITHOUT_LOAD,
@@ -65,6 +65,9 @@ static WITHOUT_LOAD: [Key; 8] = {
     let mut i = 1;
     while i < keys.len() {
         keys[i] = AIR_KEYS[i];
+        if i < AROUND.len() {
+            keys[i] = keys[i].only_with(AROUND[0]);
+        }
         i += 1;
     }
     keys[0] = keys[0].optional();

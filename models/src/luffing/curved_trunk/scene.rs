@@ -36,7 +36,7 @@ use crate::luffing::curved_trunk::symbols as s;
 use crate::luffing::curved_trunk::tail::{TailArc, Trunk, TrunkChoice};
 use crate::luffing::moving;
 use crate::luffing::moving::control::luffing::CONTROL;
-use crate::luffing::moving::hoisting::{HOISTING_KEYS, no_swing};
+use crate::luffing::moving::hoisting::HOISTING_KEYS;
 use crate::luffing::moving::levels::{self, boom_levels};
 use crate::luffing::moving::scene::{Inert, Moving, SLEWING, brisk, dynamics, outlasts, turns};
 use crate::luffing::moving::symbols as m;
@@ -181,10 +181,7 @@ impl Described for CurvedTrunk {
     };
 
     fn read(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<(CurvedTrunk, Motion)> {
-        let before = found.len();
         let moving = moves(v, gravity, found);
-        let may_swing = moving.map_or(found.len() > before, |moving| moving.rope.is_some());
-        found.extend(no_swing(v, may_swing));
         let begun = begun(v, "G_b, r_b, G_t and r_t", found);
         let driving = drive::scene::read(v, found);
         let tail = v.table("tail")?;

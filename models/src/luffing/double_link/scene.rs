@@ -20,7 +20,6 @@ use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::resisting;
 use crate::luffing::double_link::stages::closes;
 use crate::luffing::double_link::symbols as s;
-use crate::luffing::moving::hoisting::no_swing;
 use crate::luffing::moving::scene::{brisk, outlasts};
 use crate::luffing::resistances::scene::Cases;
 use crate::luffing::with_balance::complete;
@@ -113,9 +112,7 @@ impl LuffingScene {
             let range = [motion.from, motion.to];
             drive::meets(v, &driving, foot(&lengths, driven), range, found);
         }
-        let before = found.len();
         let moving = moving::scene::MovingLink::new(v, gravity, loaded, found);
-        let unread = moving.is_none() && found.len() > before;
         let balance_table = v.table("balance").filter(|_| weights.is_some()).zip(motion);
         let analysed = balance_table.and_then(|(table, motion)| balanced(v, table, &parameters, &motion, found));
         if let Some((moving, motion)) = moving.as_ref().zip(motion.as_ref()) {
@@ -125,8 +122,6 @@ impl LuffingScene {
         }
         let moves = moving.as_ref().map(|_| &drive::TURNED_LINE[..]);
         drive::fits(v, driving.gear.as_ref(), (moves, loaded), found);
-        let swings = moving.as_ref().is_some_and(|moving| moving.rope.is_some());
-        found.extend(no_swing(v, swings || unread));
         let theta = parameters.driven.coordinate();
         let published = v.table("published").and_then(|table| published(table, theta, found));
         let motion = motion?;

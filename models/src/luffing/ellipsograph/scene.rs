@@ -34,7 +34,7 @@ use crate::luffing::ellipsograph::statics::GuidedWeights;
 use crate::luffing::ellipsograph::symbols as s;
 use crate::luffing::moving;
 use crate::luffing::moving::control::luffing::CONTROL;
-use crate::luffing::moving::hoisting::{HOISTING_KEYS, no_swing};
+use crate::luffing::moving::hoisting::HOISTING_KEYS;
 use crate::luffing::moving::levels::{self, boom_levels};
 use crate::luffing::moving::scene::{Inert, Moving, SLEWING, brisk, dynamics, outlasts, turns};
 use crate::luffing::moving::symbols as m;
@@ -148,10 +148,7 @@ impl Described for Ellipsograph {
     };
 
     fn read(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<(Ellipsograph, Motion)> {
-        let before = found.len();
         let moving = moves(v, gravity, found);
-        let may_swing = moving.map_or(found.len() > before, |moving| moving.rope.is_some());
-        found.extend(no_swing(v, may_swing));
         let begun = begun(v, "G_b and r_b", found);
         let ((range, balance), driving) = begun.zip(drive::scene::read(v, found))?;
         drive::scene::meets(v, &driving, None, [-range.to, -range.from], found);

@@ -175,7 +175,7 @@ pub fn surround(v: &Values, rope: &mut Option<LoadRope>, gravity: f64, found: &m
     Some(())
 }
 
-/// A limit of the load's swing where no load swings; of what cannot be read nobody knows whether it does.
+/// A limit of the load's swing where no load swings.
 pub fn no_swing(v: &Values, may_swing: bool) -> Option<Diagnostic> {
     let id = s::PHI_MAX.id;
     let limits = v.table("limits").filter(|limits| limits.has(id) && !may_swing)?;

@@ -8,7 +8,7 @@ use crate::kernel::schema::{Key, Values};
 use crate::kernel::symbol::Symbol;
 use crate::luffing::moving::control::reading::Controllers;
 use crate::luffing::moving::given::{Constants, CylinderOil, Inputs, Meets};
-use crate::luffing::moving::hoisting::{HoistKind, LoadRope, hoisting, load_rope, load_taken, surround};
+use crate::luffing::moving::hoisting::{HoistKind, LoadRope, hoisting, load_rope, load_taken, no_swing, surround};
 use crate::luffing::moving::oil_scene::{oil_drive, straight_beside_oil};
 use crate::luffing::moving::step::step;
 use crate::luffing::moving::symbols as s;
@@ -182,6 +182,15 @@ impl Moving {
 
     /// The checked table `[luffing]`; `None` at the static level, and where there are mistakes, which go to `found`.
     pub fn new(v: &Values, gravity: f64, bodies: &Inert, found: &mut Vec<Diagnostic>) -> Option<Moving> {
+        let before = found.len();
+        let moving = Moving::read(v, gravity, bodies, found);
+        // Of what cannot be read nobody knows whether its load swings.
+        let may_swing = moving.map_or(found.len() > before, |moving| moving.rope.is_some());
+        found.extend(no_swing(v, may_swing));
+        moving
+    }
+
+    fn read(v: &Values, gravity: f64, bodies: &Inert, found: &mut Vec<Diagnostic>) -> Option<Moving> {
         let fidelity = v.text("fidelity").unwrap_or("static");
         let mut told = |refused: Diagnostic| found.push(refused);
         let table = table(v, fidelity, bodies).map_err(&mut told).ok()??;

@@ -24,7 +24,7 @@ use crate::luffing::boom_scene::{INTERPOLATION, MOVING_FIDELITY, balance_work, b
 use crate::luffing::counterweight::chapter;
 use crate::luffing::moving;
 use crate::luffing::moving::control::luffing::CONTROL;
-use crate::luffing::moving::hoisting::{BY_SPEED_KEYS, no_swing};
+use crate::luffing::moving::hoisting::BY_SPEED_KEYS;
 use crate::luffing::moving::levels::{self, boom_levels};
 use crate::luffing::moving::scene::{Inert, Moving, SLEWING, brisk, dynamics, outlasts, turns};
 use crate::luffing::moving::symbols as m;
@@ -169,10 +169,7 @@ impl Described for Rope {
     };
 
     fn read(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<(Rope, Motion)> {
-        let before = found.len();
         let moving = moves(v, gravity, found);
-        let may_swing = moving.map_or(found.len() > before, |moving| moving.rope.is_some());
-        found.extend(no_swing(v, may_swing));
         let (range, balance) = begun(v, "G_b and r_b", found)?;
         if let Some(moving) = &moving {
             brisk(v, moving, &range, found);
