@@ -319,20 +319,21 @@ macro_rules! stages {
             use $crate::kernel::group::Group;
             use $crate::kernel::variable::Quantity;
 
-            /// Groups, then stages: the numbers of their bits.
+            /// Groups, then stages, by their numbers.
             #[derive(Clone, Copy)]
             enum Bit { $($source,)* $($stage,)* End }
+            /// Stages by theirs, which are their bits.
             enum At { $($stage,)* End }
             const GROUPS: usize = [$(Bit::$source as usize),*].len();
             const BITS: usize = Bit::End as usize;
-            const _: () = assert!(GROUPS <= 64 && BITS <= 128, "more groups and stages than bits");
-            /// Of each group and stage: itself and all that it follows from.
-            const UP: [u128; BITS] = {
+            const _: () = assert!(GROUPS <= 64 && BITS - GROUPS <= 128, "more groups or stages than bits");
+            /// Of each group and stage: the groups that it follows from.
+            const UP: [u64; BITS] = {
                 let mut up = [0; BITS];
                 $(up[Bit::$source as usize] = 1 << Bit::$source as u32;)*
                 $(
                     $(assert!((Bit::$arg as u64) < Bit::$stage as u64, "a stage before what it follows from");)*
-                    up[Bit::$stage as usize] = 1 << Bit::$stage as u32 $(| up[Bit::$arg as usize])*;
+                    up[Bit::$stage as usize] = 0 $(| up[Bit::$arg as usize])*;
                 )*
                 up
             };
@@ -349,7 +350,7 @@ macro_rules! stages {
                 while group < GROUPS {
                     let mut stage = GROUPS;
                     while stage < BITS {
-                        if UP[stage] >> group & 1 == 1 { keep[group] &= !(1 << stage); }
+                        if UP[stage] >> group & 1 == 1 { keep[group] &= !(1 << (stage - GROUPS)); }
                         stage += 1;
                     }
                     group += 1;
@@ -365,11 +366,11 @@ macro_rules! stages {
             impl Make {
                 $(#[inline(always)] fn $source<$c: Scalar>(_: &mut Known<$c>) -> Found<()> { Ok(()) })*
                 $(#[inline] fn $stage<$c: Scalar>(known: &mut Known<$c>) -> Found<()> {
-                    if known.known >> Bit::$stage as u32 & 1 == 0 {
+                    if known.known >> At::$stage as u32 & 1 == 0 {
                         let known = $crate::component::stages::stages!(@on [$($mark)?] known);
                         $($crate::component::stages::stages!(@make [$($how)?] known $arg);)*
                         $crate::component::stages::stages!(@found [$($($of)+)?] $c known $stage $($f)::+ ($($arg $([$how])?),*));
-                        known.known |= 1 << Bit::$stage as u32;
+                        known.known |= 1 << At::$stage as u32;
                     }
                     Ok(())
                 })*
@@ -395,7 +396,7 @@ macro_rules! stages {
                     type $c = f64;
                     &[$(Stage {
                         id: stringify!($stage),
-                        sources: (UP[Bit::$stage as usize] & ((1 << GROUPS) - 1)) as u64,
+                        sources: UP[Bit::$stage as usize],
                         rows: $crate::component::stages::stages!(@rows [$($row)?] $c $kind),
                         searched: $crate::component::stages::stages!(@searched [$($mark)?]),
                         decided: $crate::component::stages::stages!(@decided [$($mark)?]),
@@ -444,7 +445,7 @@ macro_rules! stages {
                 fn result<$c: Scalar>(known: &mut Known<$c>, slot: &Slot, into: &mut $c) -> Found<()> {
                     $(if slot.stage == At::$stage as u8 {
                         // Out of the way of what is known.
-                        if known.known >> Bit::$stage as u32 & 1 == 0 { Self::make(known, slot.stage)?; }
+                        if known.known >> At::$stage as u32 & 1 == 0 { Self::make(known, slot.stage)?; }
                         *into = $crate::component::stages::stages!(@row [$($row)?] [$($($of)+)?] See::$stage(known), slot);
                         return Ok(());
                     })*
@@ -458,15 +459,15 @@ macro_rules! stages {
                 fn follow<$c: Scalar>(known: &mut Known<$c>, other: &Known<$c>) {
                     (known.there, known.known) = (other.there, other.known);
                     $(known.given.$source.clone_from(&other.given.$source);)*
-                    $(if other.known >> Bit::$stage as u32 & 1 == 1 { known.$stage.clone_from(&other.$stage); })*
+                    $(if other.known >> At::$stage as u32 & 1 == 1 { known.$stage.clone_from(&other.$stage); })*
                 }
                 #[allow(unused_variables, reason = "a component may have nothing to lift")]
                 fn lift<Other: Scalar>(value: &Known<f64>, dual: &mut Known<Other>, moved: u64) {
                     let _ = moved;
                     $({
-                        let bit = 1 << Bit::$stage as u32;
+                        let bit = 1 << At::$stage as u32;
                         if value.known & bit != 0
-                            && $crate::component::stages::stages!(@lift [$($mark)?] value dual $stage (UP[Bit::$stage as usize] & u128::from(moved) == 0)) {
+                            && $crate::component::stages::stages!(@lift [$($mark)?] value dual $stage (UP[Bit::$stage as usize] & moved == 0)) {
                             dual.known |= bit;
                         }
                     })*
