@@ -220,14 +220,14 @@ fn models(scene: &Scene) {
             v.beta(),
         ));
         let own = Own::new(&p, &v, &l, &weights);
-        let pins = PinForces::new(&p, &160e3, &Some(weights), Some(&own), None);
+        let pins = PinForces::new(&p, &160e3, &Some(weights), Some(&own), None, None);
         let held = Held {
             m_d: pins.m_d,
             pins: Ok(pins),
         };
-        black_box(Feet::new(&p, &l, &Some(weights), None, &held, None)).ok();
+        black_box(Feet::new(&p, &l, &Some(weights), None, &held, None, None)).ok();
         black_box((
-            LoadMoment::new(&v, &160e3),
+            LoadMoment::new(&v, None, &160e3),
             Pole::new(&g, &p, &v).moment(&g, &p, &v, 160e3),
         ));
     });

@@ -61,7 +61,7 @@ fn singular_positions_agree_with_50_digits() {
         let g = common::geometry(driven);
         let p = Position::new(&g, hex(cells[1])).unwrap_or_else(|| panic!("{} closes", cells[0]));
         let v = Velocity::new(&p);
-        let values = [p.follower_angle(), p.a.y, LoadMoment::new(&v, &160e3).m_q, v.da.x];
+        let values = [p.follower_angle(), p.a.y, LoadMoment::new(&v, None, &160e3).m_q, v.da.x];
         for (i, value) in values.into_iter().enumerate() {
             let (high, low) = (hex(cells[2 + 2 * i]), hex(cells[3 + 2 * i]));
             let error = ((value - high) - low).abs();
@@ -129,7 +129,7 @@ fn the_pole_goes_to_infinity_and_the_moment_stays() {
         let v = Velocity::new(&p);
         let pole = Pole::new(&g, &p, &v);
         infinite += i32::from(matches!(pole, Pole::AtInfinity(_)));
-        let (by_pole, by_work) = (pole.moment(&g, &p, &v, 160e3), LoadMoment::new(&v, &160e3).m_q);
+        let (by_pole, by_work) = (pole.moment(&g, &p, &v, 160e3), LoadMoment::new(&v, None, &160e3).m_q);
         assert!((by_pole - by_work).abs() <= 1e-12 * 254e3, "{by_pole} {by_work}");
     }
     assert!(infinite > 0);

@@ -136,7 +136,7 @@ proptest! {
         let arm = p.b.x.abs() * v.i_follower.abs().max(1.0) + p.x_4.x.abs() * v.i_2.abs() + p.b.y.abs() + p.x_4.y.abs() * v.i_2.abs();
         let scale = q * arm.max(1.0);
         let virtual_work = q * d.a.y.eps;
-        prop_assert!((LoadMoment::new(&v, &q).m_q - virtual_work).abs() <= 1e-12 * scale, "{} {virtual_work}", LoadMoment::new(&v, &q).m_q);
+        prop_assert!((LoadMoment::new(&v, None, &q).m_q - virtual_work).abs() <= 1e-12 * scale, "{} {virtual_work}", LoadMoment::new(&v, None, &q).m_q);
         prop_assert!((v.da.x - d.a.x.eps).abs() <= 1e-12 * arm.max(1.0));
         let by_pole = Pole::new(&g, &p, &v).moment(&g, &p, &v, q);
         // The pole loses digits where it lies near the driven bar's head.
@@ -165,7 +165,7 @@ proptest! {
         let v = Velocity::new(&p);
         let own = Own::new(&p, &v, &l, &w);
         let links = ByCentres::new(&g, &p).power(&p, q, Some((&w, &own.centres)));
-        let work = LoadMoment::new(&v, &q).m_q + own.m_g;
+        let work = LoadMoment::new(&v, None, &q).m_q + own.m_g;
         let scale = links.iter().fold(work.abs(), |most, link| most.max(link.abs()));
         let sines = [(p.x_1, p.x_3), (p.x_1, p.x_2), (p.x_2, p.x_3)];
         let sines = sines.map(|(a, b)| (plane::cross(a, b) / (plane::length(a) * plane::length(b))).abs());
@@ -188,10 +188,10 @@ proptest! {
         let drive = Drive::new(&driven, &parameters.anchors.expect("given"));
         // A lever arm of nearly nothing makes forces of nearly everything.
         let with_drive = with_drive && drive.h_d.abs() > 0.1;
-        let f = PinForces::new(&p, &q, &Some(w), Some(&own), None);
+        let f = PinForces::new(&p, &q, &Some(w), Some(&own), None, None);
         let held = Held { m_d: f.m_d, pins: Ok(f) };
         let reaction = Some(push(&drive, &held)).filter(|_| with_drive);
-        let feet = Feet::new(&p, &l, &Some(w), None, &held, reaction.as_ref()).expect("no bars in one line");
+        let feet = Feet::new(&p, &l, &Some(w), None, &held, reaction.as_ref(), None).expect("no bars in one line");
         let down = |g: f64| Point::new(0.0, -g);
         let driven_foot = if boom { feet.o1 } else { feet.o3 };
         let push = reaction.and_then(|reaction| reaction.force).unwrap_or_else(Point::zeros);
@@ -212,7 +212,7 @@ proptest! {
         for (body, rest) in moments {
             prop_assert!(rest.abs() <= 1e-12 * biggest * size, "{body}: {rest}");
         }
-        let work = LoadMoment::new(&v, &q).m_q + own.m_g;
+        let work = LoadMoment::new(&v, None, &q).m_q + own.m_g;
         prop_assert!((f.m_d - work).abs() <= 1e-12 * biggest * size, "{} {work}", f.m_d);
     }
 
@@ -289,7 +289,7 @@ fn limits_of_the_mechanism() {
             v.i_follower
         );
         let exact = 160e3 * 20.0 * Calc::sin_cos(theta).1;
-        assert!((LoadMoment::new(&v, &160e3).m_q - exact).abs() <= 1e-12 * 160e3 * 20.0);
+        assert!((LoadMoment::new(&v, None, &160e3).m_q - exact).abs() <= 1e-12 * 160e3 * 20.0);
         assert!(matches!(Pole::new(&g, &p, &v), Pole::AtInfinity(_)));
     }
     // Ellipsograph: boom head in the middle of a jib of twice the boom's length
@@ -315,7 +315,7 @@ fn limits_of_the_mechanism() {
         let g = Geometry::new(&Parameters { branch, ..ellipsograph }).expect("closes");
         for degrees in [40.0_f64, 60.0, 75.0] {
             let p = Position::new(&g, degrees.to_radians()).expect("closes");
-            let moment = LoadMoment::new(&Velocity::new(&p), &160e3).m_q;
+            let moment = LoadMoment::new(&Velocity::new(&p), None, &160e3).m_q;
             if p.c.y.abs() > 1.0 {
                 // The tail climbs the line x = 0: the head stays at the height of O1.
                 assert!(moment.abs() <= 160e3 * 20.0 * 2e-6, "{degrees}: {moment}");
@@ -358,7 +358,7 @@ fn boom_drive_against_rocker_drive() {
         let (v, u) = (Velocity::new(&p), Velocity::new(&other));
         let (speed, moment) = (
             v.da.x / u.da.x,
-            LoadMoment::new(&v, &1.0).m_q / LoadMoment::new(&u, &1.0).m_q,
+            LoadMoment::new(&v, None, &1.0).m_q / LoadMoment::new(&u, None, &1.0).m_q,
         );
         assert!(
             (speed - v.i_follower).abs() < 1e-10 && (moment - v.i_follower).abs() < 1e-10,
@@ -382,8 +382,10 @@ fn boom_drive_against_rocker_drive() {
 fn work_is_load_times_rise() {
     let luffing = common::luffing();
     let g = common::geometry(Driven::Boom);
-    let rise = Rise::new(&luffing.parameters, &luffing.motion).expect("closes").whole;
-    let integral = rise_by_integration(&g, &luffing.motion);
+    let rise = Rise::new(&luffing.parameters, None, &luffing.motion)
+        .expect("closes")
+        .whole;
+    let integral = rise_by_integration(&g, None, &luffing.motion);
     println!("integral {integral} m, rise {rise} m");
     assert!((integral - rise).abs() < 1e-13);
     // Printed level error 0.4098 m on a grid of one degree, over the reach
@@ -451,7 +453,7 @@ fn work_is_load_times_rise_over_many_turns() {
                 to: f64::to_radians(to),
                 ..luffing.motion
             };
-            let rise = Rise::new(&parameters, &motion).expect("closes");
+            let rise = Rise::new(&parameters, None, &motion).expect("closes");
             let scale = rise.steepest.abs() * (motion.to - motion.from);
             let error = (rise_by_integration(&g, &motion) - rise.whole).abs() / scale;
             assert!(error < 1e-11, "{bars:?} from {from} to {to} deg: {error:e}");

@@ -122,8 +122,20 @@ pub trait Calc:
         }
     }
 
+    /// This number under a name that stands for one of several, numbered from 1.
+    #[inline]
+    fn def_of(self, _: &'static Symbol, _: u16) -> Self {
+        self
+    }
+
+    /// A given number that is one of several, numbered from 1.
+    #[inline]
+    fn numbered(self, number: u16) -> Self {
+        self.among(Among::Of(number), self)
+    }
+
     /// Runs the equations of one of several bodies, numbered from 0. The recorder writes down those of the body that it
-    /// was asked for.
+    /// was asked for, and never those of `usize::MAX`.
     #[inline]
     fn body<T>(_: usize, equations: impl FnOnce() -> T) -> T {
         equations()

@@ -48,6 +48,8 @@ pub enum Node {
 #[derive(Clone, Copy, Debug)]
 pub struct Step {
     pub symbol: &'static Symbol,
+    /// From 1, where it is one of several that are all told of.
+    pub number: Option<u16>,
     pub formula: Rec,
     /// In SI.
     pub value: f64,
@@ -409,12 +411,21 @@ impl Calc for Rec {
             let name = trace.name(self, symbol);
             trace.steps.push(Step {
                 symbol,
+                number: None,
                 formula: self,
                 value: trace.value(name),
                 name,
             });
             name
         })
+    }
+    fn def_of(self, symbol: &'static Symbol, number: u16) -> Rec {
+        let name = self.def(symbol);
+        TRACE.with_borrow_mut(|trace| {
+            let own = trace.steps.last_mut().filter(|step| step.name == name);
+            own.into_iter().for_each(|step| step.number = Some(number));
+        });
+        if name == self { self } else { name.numbered(number) }
     }
     fn tabled(self, symbol: &'static Symbol) -> Rec {
         TRACE.with_borrow_mut(|trace| {
@@ -441,7 +452,7 @@ impl Calc for Rec {
     }
     fn body<T>(number: usize, equations: impl FnOnce() -> T) -> T {
         let hold = |silent| TRACE.with_borrow_mut(|trace| std::mem::replace(&mut trace.silent, silent));
-        let other = TRACE.with_borrow(|trace| trace.only.is_some_and(|only| only != number));
+        let other = TRACE.with_borrow(|trace| number == usize::MAX || trace.only.is_some_and(|only| only != number));
         let before = hold(other);
         let found = equations();
         hold(before);

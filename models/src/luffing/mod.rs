@@ -10,6 +10,7 @@ pub mod curved_trunk;
 pub mod double_link;
 pub mod ellipsograph;
 pub mod kinds;
+pub mod led;
 pub mod luffed;
 pub mod moving;
 pub mod resistances;

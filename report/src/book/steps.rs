@@ -25,6 +25,8 @@ pub(super) struct Section {
 struct Step {
     #[serde(flatten)]
     quantity: Quantity,
+    /// Its symbol, where it is one of several.
+    one: Option<String>,
     words: &'static str,
     /// Whether the book meets the symbol for the first time.
     first: bool,
@@ -136,6 +138,7 @@ fn steps(
         } = formula::step(numbers, &notation.defined, trace, step, in_full, checks.len());
         Step {
             quantity: Quantity::found(step.symbol),
+            one: step.number.map(|number| step.symbol.numbered(number)),
             words: notation.words(step.symbol),
             first: notation.place(step.symbol),
             formula,

@@ -7,6 +7,8 @@ use crate::drive::outline as o;
 use crate::drive::symbols as d;
 use crate::kernel::symbol::listed;
 use crate::luffing::curved_trunk::symbols as s;
+use crate::luffing::led::outline::{LED, LEVEL as LED_LEVEL};
+use crate::luffing::led::symbols as w;
 use crate::luffing::moving::control::SETTINGS;
 use crate::luffing::moving::symbols as m;
 use crate::luffing::resistances::outline::{EXTREMES, LIMITS, SUMMARY, USES};
@@ -25,7 +27,7 @@ const OWN_USES: [Purpose; 8] = [
 ];
 
 pub const OUTLINE: Outline = Outline {
-    inputs: chapters!(geometry "", tail, tail_points "tail.points", weights, drive, balance, load "Q", motion, moving "dynamics", luffing_control "control", hoisting, hoisting_control "hoisting.control", air, ground, slewing, slope "slewing.slope", slewing_control "slewing.control",
+    inputs: chapters!(geometry "", rope, sheaves "rope.sheave", tail, tail_points "tail.points", weights, drive, balance, load "Q", motion, moving "dynamics", luffing_control "control", hoisting, hoisting_control "hoisting.control", air, ground, slewing, slope "slewing.slope", slewing_control "slewing.control",
         cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_start "cases.start", case_curve "cases.start.curve", case_brake "cases.brake", case_second_brake "cases.second_brake",
         case_buckling "cases.buckling", case_teeth "cases.teeth", case_nut "cases.nut", case_pin_sizes "cases.pin_size", limits),
     constants: &[
@@ -39,6 +41,7 @@ pub const OUTLINE: Outline = Outline {
         ("trunk_position", &[Stage("position")]),
         ("trunk_velocity", &[Stage("travel"), Stage("speeds")]),
         ("trunk_pole", &[Stage("pole")]),
+        LED,
         ("trunk_load", &[Stage("hanging")]),
         ("trunk_weight", &[Stage("own")]),
         o::CRANK,
@@ -59,6 +62,7 @@ pub const OUTLINE: Outline = Outline {
     table: &[
         &s::R,
         &s::A_Y,
+        &w::Y_Q,
         &s::ALPHA,
         &s::W,
         &s::F,
@@ -72,6 +76,7 @@ pub const OUTLINE: Outline = Outline {
     ],
     curves: &[
         ("trunk_path", Some(&s::R), &s::A_Y),
+        ("led_path", Some(&s::R), &w::Y_Q),
         ("trunk_velocity", Some(&s::R), &s::V_AX),
         ("trunk_moment", None, &s::M_D),
         ("trunk_wrap", None, &s::W),
@@ -99,12 +104,21 @@ pub const OUTLINE: Outline = Outline {
         ],
         EXTREMES,
     ),
-    summary: &joined::<_, 5, 6, 11>(
-        [&s::DELTA_Y, &s::EPSILON_Y, &d::LAMBDA_D, &d::RHO_D, &d::LOCK_D],
+    summary: &joined::<_, 7, 6, 13>(
+        [
+            &s::DELTA_Y,
+            &s::EPSILON_Y,
+            &w::DELTA_YQ,
+            &w::EPSILON_YQ,
+            &d::LAMBDA_D,
+            &d::RHO_D,
+            &d::LOCK_D,
+        ],
         SUMMARY,
     ),
     sensitivity: &[
         &s::EPSILON_Y,
+        &w::EPSILON_YQ,
         &s::R_MAX,
         &s::M_Q_MAX,
         &s::M_D_MAX,
@@ -112,9 +126,10 @@ pub const OUTLINE: Outline = Outline {
         &s::N_T_MAX,
         &b::DM_MAX,
     ],
-    limits: &joined::<_, 16, 19, 35>(
+    limits: &joined::<_, 17, 19, 36>(
         [
             Limit::at_most("level_error", &s::EPSILON_Y),
+            LED_LEVEL,
             Limit::at_least("trunk_transmission", &s::MU_MIN),
             Limit::at_least("trunk_wrap", &s::W_MIN),
             Limit::at_most("trunk_drive", &s::M_D_MAX),

@@ -8,6 +8,7 @@ use crate::luffing::curved_trunk::contact::Contact;
 use crate::luffing::curved_trunk::position::TrunkPosition;
 use crate::luffing::curved_trunk::statics::TrunkWeight;
 use crate::luffing::curved_trunk::symbols as s;
+use crate::luffing::led::pull::LedPull;
 use crate::parts::motion::degrees;
 use crate::parts::plane::{self, Point};
 
@@ -35,15 +36,20 @@ impl<C: Calc> TrunkPins<C> {
         q: &C,
         own: Option<&TrunkWeight<C>>,
         residual: Option<&Residual<C>>,
+        pulled: Option<&LedPull<C>>,
     ) -> TrunkPins<C> {
         let load = *q * position.front.x;
-        let m_b = own.map_or(load, |own| load + own.of_trunk).def(&s::M_B);
+        let m_b = own.map_or(load, |own| load + own.of_trunk);
+        let m_b = pulled.map_or(m_b, |pulled| m_b - pulled.on[1].moment).def(&s::M_B);
         let n_t = (m_b / position.h_t).def(&s::N_T);
         let down = own.map_or(*q, |own| *q + own.trunk);
         let pull = position.tie * n_t;
-        let head = plane::def(Point::new(-pull.x, down - pull.y), [&s::F_BX, &s::F_BY]);
+        let head = Point::new(-pull.x, down - pull.y);
+        let head = pulled.map_or(head, |pulled| head - pulled.on[1].force);
+        let head = plane::def(head, [&s::F_BX, &s::F_BY]);
         let m_d = plane::cross(position.b, head);
         let m_d = own.map_or(m_d, |own| m_d + own.of_boom);
+        let m_d = pulled.map_or(m_d, |pulled| m_d - pulled.on[0].moment);
         let m_d = residual.map_or(m_d, |left| m_d - left.action.m_b);
         TrunkPins {
             n_t,
@@ -76,8 +82,10 @@ impl<C: Calc> TrunkBearing<C> {
         own: Option<&TrunkWeight<C>>,
         residual: Option<&Residual<C>>,
         drive: Option<&Reaction<C>>,
+        pulled: Option<&LedPull<C>>,
     ) -> TrunkBearing<C> {
         let foot = own.map_or(pins.head, |own| Point::new(pins.head.x, pins.head.y + own.boom));
+        let foot = pulled.map_or(foot, |pulled| foot - pulled.on[0].force);
         let foot = residual.map_or(foot, |left| foot - left.action.on_boom);
         let push = drive.and_then(|drive| drive.force);
         let foot = push.map_or(foot, |push| foot - push);

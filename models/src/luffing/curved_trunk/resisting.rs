@@ -12,6 +12,8 @@ use crate::luffing::curved_trunk::contact::direction;
 use crate::luffing::curved_trunk::position::TrunkPosition;
 use crate::luffing::curved_trunk::statics::TrunkWeights;
 use crate::luffing::curved_trunk::tail::{TrunkChoice, TrunkTail};
+use crate::luffing::led::path::Reeved;
+use crate::luffing::led::pull::LedPull;
 use crate::luffing::moving::bodies::Body;
 use crate::luffing::resistances::friction::{Pin, Pins, Rubbed};
 use crate::luffing::resistances::given::{CaseBody, CasesChoice};
@@ -36,6 +38,7 @@ pub struct TrunkPlaces<C> {
     choice: TrunkChoice,
     weights: TrunkWeights<C>,
     balancing: Option<Balancing<C>>,
+    reeved: Option<Reeved<C>>,
     way: DriveWay<C>,
 }
 
@@ -52,6 +55,7 @@ impl Placing for OfTrunk {
             choice: of.choice.clone(),
             weights: of.weights.map(&mut |_, x| f(x)),
             balancing: of.balancing.map(|balancing| balancing.map(f)),
+            reeved: of.reeved.map(|reeved| reeved.map(f)),
             way: of.way.map(f),
         }
     }
@@ -100,6 +104,7 @@ impl<C: Calc> TrunkPlaces<C> {
         choice: &TrunkChoice,
         weights: &TrunkWeights<C>,
         balancing: Option<&Balancing<C>>,
+        reeved: Option<&Reeved<C>>,
         way: &DriveWay<C>,
     ) -> TrunkPlaces<C> {
         TrunkPlaces {
@@ -107,6 +112,7 @@ impl<C: Calc> TrunkPlaces<C> {
             choice: choice.clone(),
             weights: *weights,
             balancing: balancing.copied(),
+            reeved: reeved.copied(),
             way: *way,
         }
     }
@@ -135,6 +141,7 @@ pub fn pins<C: Calc>(
     p: &TrunkPosition<C>,
     drive: &Drive<C>,
     residual: Option<&Residual<C>>,
+    rope: Option<&LedPull<C>>,
     moved: &MovedBars<C>,
     loads: &Loads<C>,
     resisted: &Resisted<C>,
@@ -142,10 +149,17 @@ pub fn pins<C: Calc>(
     let (zero, [boom, trunk]) = (C::constant(0.0), [0, 1].map(|bar| moved.turn(bar)[0]));
     let [(f_b, _), (f_t, m_t), _] = loads.bars;
     let carrying = Carrying::new(residual, moved, loads);
-    let about_b = m_t + cross(p.front, loads.head);
+    let (mut on_boom, mut on_trunk) = (f_b, f_t + loads.head);
+    let mut about_b = m_t + cross(p.front, loads.head);
+    if let Some(rope) = rope {
+        let [boom, trunk] = [0, 1].map(|bar| rope.by(bar, loads.load));
+        on_boom += boom.force;
+        on_trunk += trunk.force;
+        about_b += trunk.moment;
+    }
     let tie = p.tie * (-about_b / p.h_t);
-    let at_b = -(f_t + loads.head + tie);
-    let frame = at_b - f_b - carrying.on_boom;
+    let at_b = -(on_trunk + tie);
+    let frame = at_b - on_boom - carrying.on_boom;
     let push = drive.along(-resisted.sum / drive.h_d);
     let frame = push.map_or(frame, |push| frame - push);
     let own = [Pin::new(frame, [boom, zero]), Pin::new(at_b, [trunk, boom])];

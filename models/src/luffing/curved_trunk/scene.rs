@@ -34,6 +34,8 @@ use crate::luffing::curved_trunk::stages::{CurvedTrunkBoom, Given};
 use crate::luffing::curved_trunk::statics::TrunkWeights;
 use crate::luffing::curved_trunk::symbols as s;
 use crate::luffing::curved_trunk::tail::{TailArc, Trunk, TrunkChoice};
+use crate::luffing::led::scene::{Led, ROPE};
+use crate::luffing::led::symbols as w;
 use crate::luffing::moving;
 use crate::luffing::moving::control::luffing::CONTROL;
 use crate::luffing::moving::hoisting::HOISTING_KEYS;
@@ -68,6 +70,7 @@ pub const KEYS: &[Key] = &[
     Key::quantity(&s::O3_Y, Sign::Any),
     Key::quantity(&s::X_8, Sign::Any),
     Key::weight(&s::Q).optional(),
+    ROPE,
     MOVING_FIDELITY,
     Key {
         required: true,
@@ -129,7 +132,7 @@ static DYNAMICS: &[Key] = &dynamics::<19>(&[
 
 const INERTIAS: &[&Symbol] = listed!(s: J_B, J_T);
 
-const LIMITS: &[Key] = &Limit::keys::<29>(OUTLINE.limits);
+const LIMITS: &[Key] = &Limit::keys::<30>(OUTLINE.limits);
 
 /// A boom with a curved trunk as the scene describes it; SI.
 #[derive(Clone, Debug)]
@@ -137,6 +140,7 @@ pub struct CurvedTrunk {
     /// At the start of the working range.
     pub(super) given: Given<f64>,
     driving: Driving,
+    led: Led,
     /// At a level that moves by itself.
     pub(super) moving: Option<Moving>,
     /// Published results of the balance.
@@ -157,6 +161,7 @@ impl Described for CurvedTrunk {
         words: "curved_trunk_symbol",
         own: &[s::ALL],
         shared: &[
+            w::ALL,
             b::ALL,
             drive::symbols::ALL,
             gravity::ALL,
@@ -196,10 +201,14 @@ impl Described for CurvedTrunk {
             outlasts(v, moving, &range, [listed!(s: B, A, X_8), listed!(s: G_B, G_T)], found);
         }
         let cases = Cases::read(v, &resisting::PARTS, balance.as_ref(), gravity, found);
+        let led = Led::read(v, resisting::PARTS.bodies, moving.is_some(), found);
         let given = at_rest! { (cases, driving) without [motor];
             phi: One(&b::PHI, range.from),
             omega: One(&s::OMEGA, range.speed),
             load: v.of(&s::Q).map(|q| One(&s::Q, q)),
+            rope: led.falls,
+            sheaves: led.sheaves.clone(),
+            leading: led.leading,
             trunk: Trunk::read(v)?,
             arc,
             width: tail.of(&s::B_T).map(|width| One(&s::B_T, width)),
@@ -219,6 +228,7 @@ impl Described for CurvedTrunk {
         let read = CurvedTrunk {
             given,
             driving,
+            led,
             moving,
             published_balance: v.table("balance").and_then(PublishedBalance::read),
             cases,
@@ -237,6 +247,7 @@ impl Described for CurvedTrunk {
     fn check(this: &mut Description<CurvedTrunk>, v: &Values, found: &mut Vec<Diagnostic>) {
         let mut model = this.standing();
         told::check::<CurvedTrunkBoom>(&model, &this.cases, v, found);
+        this.led.check(&model, v, found);
         if this.moving.is_some() {
             drive::hauling::check(&mut model, v, found);
         }
@@ -306,7 +317,8 @@ impl Described for CurvedTrunk {
         let forces = this.given.load.map(|_| "trunk_forces");
         let Some(moving) = &this.moving else {
             let level = this.table.map_or("trunk_level_static", |_| "trunk_level_table");
-            return [level, "trunk_rope"].into_iter().chain(forces).collect();
+            let rope = this.led.falls.map_or("trunk_rope", |_| "led_rope");
+            return [level, rope].into_iter().chain(forces).collect();
         };
         let level = moving.rope.map_or("level_rigid", |_| "level_swing");
         let balance = this.given.balance.map(|_| "counterweight");

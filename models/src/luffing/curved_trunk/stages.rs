@@ -16,6 +16,7 @@ use crate::drive::line::{self, Drive, Reaction};
 use crate::drive::mount::DrivenBar;
 use crate::drive::symbols::Z_PULL;
 use crate::drive::way::DriveWay;
+use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Fault;
@@ -25,6 +26,7 @@ use crate::luffing::curved_trunk::balancing::{analysed, balanced, balancing, cri
 use crate::luffing::curved_trunk::contact::Contact;
 use crate::luffing::curved_trunk::driving;
 use crate::luffing::curved_trunk::forces_in_motion::{self, TrunkForces, forces};
+use crate::luffing::curved_trunk::leading::{beginning, leads, pulled};
 use crate::luffing::curved_trunk::moving::{TrunkInertias, TrunkParts, Trunked};
 use crate::luffing::curved_trunk::pins::{TrunkBearing, TrunkPins, power, pressure, slack};
 use crate::luffing::curved_trunk::position::TrunkPosition;
@@ -33,6 +35,10 @@ use crate::luffing::curved_trunk::statics::{TrunkLoad, TrunkWeight, TrunkWeights
 use crate::luffing::curved_trunk::symbols as t;
 use crate::luffing::curved_trunk::tail::{TailArc, Trunk, TrunkChoice, TrunkTail};
 use crate::luffing::curved_trunk::velocity::{TrunkSpeeds, TrunkTravel, pole};
+use crate::luffing::led::fragments::{leading, led};
+use crate::luffing::led::path::{LedBars, LedRope, Reeved};
+use crate::luffing::led::pull::LedPull;
+use crate::luffing::led::symbols as w;
 use crate::luffing::moving::balance_in_motion::BalanceInMotion;
 use crate::luffing::moving::built::HoistParts;
 use crate::luffing::moving::control::acting;
@@ -59,6 +65,7 @@ mod s {
     pub use crate::balance::symbols::{F_KX, F_KY, F_MX, F_MY, N_1};
     pub use crate::drive::symbols::{F_D, L_D, Q_D, S_LM, S_LM_IN, S_LM_OUT, T_CR, V_D};
     pub use crate::luffing::curved_trunk::symbols::*;
+    pub use crate::luffing::led::symbols::V_Q;
     pub use crate::luffing::moving::symbols::{F_AIR, H_G, M_R, M_R_H, N_G, P_AIR, S_R, W_BLOW};
     pub use crate::luffing::resistances::symbols::F_R;
     pub use crate::luffing::strength::symbols::{P_C, U_K};
@@ -78,6 +85,7 @@ composed! {
         Parameter weights: Option<TrunkWeights<C>>,
         ..driven(),
         Parameter balance: Option<Form<C>>,
+        ..led(),
         ..cases(),
         ..strong_parts(),
         ..chosen(),
@@ -96,22 +104,27 @@ composed! {
         drive: Drive<C> = Drive::of(bar, mount[!], rod, cranked[?]);
         stroke: C = line::speed(drive, omega) => V_D;
         flow: C = line::flow(cylinder[!], stroke) => Q_D;
-        hanging: TrunkLoad<C> = TrunkLoad::new(position, travel, pole, load[!]);
+        reeved: Reeved<C> = Reeved::new(rope[!], sheaves, leading) => _;
+        leads: LedBars<C> = leads(position, travel, phi) => _;
+        beginning: LedBars<C> = beginning(tail, choice) => _;
+        ..leading(omega);
+        pulled: LedPull<C> = pulled(reeved, load[!], leads, stretched);
+        hanging: TrunkLoad<C> = hanging(position, travel, pole, load[!], led[?], pulled[?]);
         own: TrunkWeight<C> = TrunkWeight::new(weights[!], phi, position, travel);
         balancing: Balancing<C> = balancing(tail, choice, weights[!], balance[!]) => _;
         residual: Residual<C> = residual(balancing, own, phi);
         balanced: Balanced<C> = balanced(residual, hanging, own, drive[?]);
-        pins: TrunkPins<C> = TrunkPins::new(position, load[!], own[?], residual[?]);
+        pins: TrunkPins<C> = TrunkPins::new(position, load[!], own[?], residual[?], pulled[?]);
         push: Reaction<C> = driving::push(drive, pins);
-        bearing: TrunkBearing<C> = TrunkBearing::new(contact, pins, own[?], residual[?], push[?]);
+        bearing: TrunkBearing<C> = TrunkBearing::new(contact, pins, own[?], residual[?], push[?], pulled[?]);
         pressure: C = pressure(bearing, width[!]) => P_T;
         power: C = power(pins, omega) => P_D;
         ..shaft();
         analysed: Analysis = analysed(tail, choice, weights[!], balance[!]) => _, plain;
         criteria: Criteria<C> = criteria(balancing, tail, choice, weights[!], analysed);
         way: DriveWay<C> = driving::way(mount[!], rod, crank[?], trunk) => _;
-        places: TrunkPlaces<C> = TrunkPlaces::new(tail, choice, weights[!], balancing[?], way) => _;
-        ..resisted(phi, drive, position, drive, residual[?]);
+        places: TrunkPlaces<C> = TrunkPlaces::new(tail, choice, weights[!], balancing[?], reeved[?], way) => _;
+        ..resisted(phi, drive, position, drive, residual[?], pulled[?]);
         ..strong();
         ..sheared();
         trunked: TrunkParts<C> = TrunkParts::new(tail, weights[!], inertias[!], choice) => _;
@@ -143,7 +156,7 @@ resists!(CurvedTrunkBoom with resisting::PARTS);
 
 said! { CurvedTrunkBoom: Said {
     bar: [&[&b::PHI, &s::OMEGA], &rates_after::<30>(Trunked::RATES)],
-    still: &[t::ALL, b::ALL, crate::drive::symbols::ALL],
+    still: &[t::ALL, w::ALL, b::ALL, crate::drive::symbols::ALL],
     moving: listed!(s: M_D, P_D, N_T, Q_T, P_T, F_BX, F_BY, F_O1X, F_O1Y, F_D, N_1, F_KX, F_KY, F_MX, F_MY, S_LM, S_LM_OUT, S_LM_IN),
     drive: Some(&s::M_D),
     remarks: &[],
@@ -154,8 +167,10 @@ impl Component for CurvedTrunkBoom {
 
     const INDICATORS: &'static [&'static Symbol] = &joined::<_, 38, 2, 40>(ALL_INDICATORS, [&s::Z_TIE, &Z_PULL]);
 
-    const WHOLE: &'static [Whole] = &joined::<_, 5, 4, 9>(
+    const WHOLE: &'static [Whole] = &joined::<_, 7, 4, 11>(
         [
+            Whole::new(&w::DELTA_YQ, How::Swing, &w::Y_Q),
+            Whole::new(&w::EPSILON_YQ, How::Ratio(&s::R), &w::Y_Q),
             Whole::new(&s::R_MAX, How::Greatest, &s::R),
             Whole::new(&s::R_MIN, How::Least, &s::R),
             Whole::new(&s::DELTA_Y, How::Swing, &s::A_Y),
@@ -179,6 +194,18 @@ impl Component for CurvedTrunkBoom {
             && fittings(given).is_none_or(|crane| crane.has(symbol))
             && way::has(given.starting.as_ref(), symbol)
     }
+}
+
+/// The load at the trunk's head, whose rope may be led.
+fn hanging<C: Calc>(
+    position: &TrunkPosition<C>,
+    travel: &TrunkTravel<C>,
+    pole: &Point<C>,
+    q: &C,
+    led: Option<&LedRope<C>>,
+    pulled: Option<&LedPull<C>>,
+) -> TrunkLoad<C> {
+    TrunkLoad::new(position, travel, pole, q, led.zip(pulled))
 }
 
 /// Whether the tie pulls, and a rope that drives the boom.

@@ -5,9 +5,12 @@ use crate::balance::symbols as b;
 use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::quantities;
+use crate::luffing::curved_trunk::leading::power;
 use crate::luffing::curved_trunk::position::TrunkPosition;
 use crate::luffing::curved_trunk::symbols as s;
 use crate::luffing::curved_trunk::velocity::TrunkTravel;
+use crate::luffing::led::path::LedRope;
+use crate::luffing::led::pull::LedPull;
 use crate::parts::plane::{self, Point};
 
 quantities! {
@@ -27,14 +30,25 @@ results! { TrunkLoad as h => { M_Q: h.m_q; M_Q_P: h.by_pole; } }
 
 impl<C: Calc> TrunkLoad<C> {
     /// M_Q = Q y′_A, and M_Q = Q i_2 (x_A − x_P). [Ports001, 5.9] With the centre at infinity the trunk moves along with B.
-    pub fn new(position: &TrunkPosition<C>, travel: &TrunkTravel<C>, pole: &Point<C>, q: &C) -> TrunkLoad<C> {
+    /// With a led rope M_Q = Q y′_Q, and the powers of the rope on boom and trunk. [Ports001, 5.9.2.4]
+    pub fn new(
+        position: &TrunkPosition<C>,
+        travel: &TrunkTravel<C>,
+        pole: &Point<C>,
+        q: &C,
+        led: Option<(&LedRope<C>, &LedPull<C>)>,
+    ) -> TrunkLoad<C> {
         let by_pole = if travel.at_infinity() {
             *q * position.b.x
         } else {
             *q * travel.i_2 * (position.a.x - pole.x)
         };
+        let (rise, by_pole) = match led {
+            None => (travel.a.y, by_pole),
+            Some((led, pulled)) => (led.rise, by_pole - power(position, travel, pole, &pulled.on)),
+        };
         TrunkLoad {
-            m_q: (*q * travel.a.y).def(&s::M_Q),
+            m_q: (*q * rise).def(&s::M_Q),
             by_pole: by_pole.def(&s::M_Q_P),
         }
     }

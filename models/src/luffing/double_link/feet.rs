@@ -8,6 +8,7 @@ use crate::luffing::double_link::held::Held;
 use crate::luffing::double_link::parameters::{Driven, Lengths, Weights};
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::symbols as s;
+use crate::luffing::led::pull::LedPull;
 use crate::parts::plane::{self, Point};
 
 /// Forces of the frame, in N.
@@ -29,7 +30,7 @@ results! { Feet as f => {
 } }
 
 impl<C: Calc> Feet<C> {
-    /// Equilibrium of boom and rocker under their weights and the force of the drive, where that is no mere moment.
+    /// Equilibrium of boom and rocker under their weights, a led rope and the force of the drive, where that is no mere moment.
     ///
     /// # Errors
     /// Where no finite forces in the pins carry load and weights.
@@ -40,6 +41,7 @@ impl<C: Calc> Feet<C> {
         balance: Option<&Residual<C>>,
         held: &Held<C>,
         drive: Option<&Reaction<C>>,
+        pulled: Option<&LedPull<C>>,
     ) -> Found<Feet<C>> {
         let pins = held.pins()?;
         let push = drive.and_then(|drive| drive.force);
@@ -49,14 +51,20 @@ impl<C: Calc> Feet<C> {
             Some(push) if p.driven == driven => force - push,
             _ => force,
         };
+        let by_rope = |force: Point<C>, bar: usize| pulled.map_or(force, |pulled| force - pulled.on[bar].force);
         let (g_1, g_3) = (weights.map(|w| w.g_1), weights.map(|w| w.g_3));
         let o1 = || {
             plane::def(
-                by_drive(by_balance(held(pins.b, g_1)), Driven::Boom),
+                by_drive(by_balance(by_rope(held(pins.b, g_1), 0)), Driven::Boom),
                 [&s::F_O1X, &s::F_O1Y],
             )
         };
-        let o3 = || plane::def(by_drive(held(pins.c, g_3), Driven::Rocker), [&s::F_O3X, &s::F_O3Y]);
+        let o3 = || {
+            plane::def(
+                by_drive(by_rope(held(pins.c, g_3), 2), Driven::Rocker),
+                [&s::F_O3X, &s::F_O3Y],
+            )
+        };
         // The driving link's foot first.
         let (o1, o3) = match p.driven {
             Driven::Boom => (o1(), o3()),

@@ -13,6 +13,7 @@ use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::statics::{LoadMoment, Own};
 use crate::luffing::double_link::symbols as s;
 use crate::luffing::double_link::velocity::Velocity;
+use crate::luffing::led::pull::LedPull;
 use crate::parts::motion::degrees;
 
 /// What the bars carry, by its power.
@@ -69,6 +70,7 @@ impl<C: Calc> Held<C> {
         own: Option<&Own<C>>,
         balance: Option<&Residual<C>>,
         passes: &Passes,
+        pulled: Option<&LedPull<C>>,
     ) -> Held<C> {
         if passes.0 || p.is_in_line() {
             return Held {
@@ -76,7 +78,7 @@ impl<C: Calc> Held<C> {
                 pins: Err((theta.0, theta.1.value())),
             };
         }
-        let pins = PinForces::new(p, &carried.q, &carried.weights, own, balance);
+        let pins = PinForces::new(p, &carried.q, &carried.weights, own, balance, pulled);
         Held {
             m_d: pins.m_d,
             pins: Ok(pins),

@@ -11,6 +11,7 @@ use crate::kernel::sign::Sign;
 use crate::luffing::double_link::moving;
 use crate::luffing::double_link::outline::OUTLINE;
 use crate::luffing::double_link::symbols as s;
+use crate::luffing::led::scene::ROPE;
 use crate::luffing::moving::control::luffing::CONTROL;
 use crate::luffing::moving::hoisting::HOISTING_KEYS;
 use crate::luffing::moving::oil_scene::OIL_KEYS;
@@ -49,8 +50,9 @@ pub const LINKS: [Key; 13] = [
 ];
 
 /// Keys of `[luffing]`.
-pub const KEYS: &[Key] = &joined::<_, 13, 19, 32>(LINKS, [
+pub const KEYS: &[Key] = &joined::<_, 13, 20, 33>(LINKS, [
     Key::weight(&s::Q).optional(),
+    ROPE,
     Key::new("fidelity", Kind::Choice(moving::scene::FIDELITIES), "How deep it is modelled: \"static\" (the angle is an input), \"table\" (the same, interpolated over the working range, its dimensions fixed), \"rigid\" (it moves under a moment), \"swing\" (and the load swings on its rope), \"hydraulic\" (a cylinder with oil and valve moves it), \"auto\" (the cheapest that keeps to `accuracy`).").optional(),
     Key::table("motion", MOTION, "Working range of the driving link."),
     Key::part("weights", WEIGHTS, "Own weights and their centres of gravity."),
@@ -84,7 +86,7 @@ pub static WEIGHTS: &[Key] = keys! { s:
     G_1 [or_mass], S_1 >= 0, CHI_1, G_2 [or_mass], S_2 >= 0, CHI_2, G_3 [or_mass], S_3 >= 0, CHI_3
 };
 
-const LIMITS: &[Key] = &Limit::keys::<25>(OUTLINE.limits);
+const LIMITS: &[Key] = &Limit::keys::<26>(OUTLINE.limits);
 
 static PUBLISHED: &[Key] = &[
     Key::new("source", Kind::Text, "Where the values are printed."),

@@ -13,6 +13,8 @@ use crate::kernel::symbol::{Symbol, listed};
 use crate::luffing::double_link::moving;
 use crate::luffing::double_link::moving::symbols as m;
 use crate::luffing::double_link::symbols as s;
+use crate::luffing::led::outline::{LED, LEVEL as LED_LEVEL};
+use crate::luffing::led::symbols as w;
 use crate::luffing::moving::control::{self, SETTINGS};
 use crate::luffing::resistances::outline::{EXTREMES, LIMITS, SUMMARY, USES};
 use crate::luffing::resistances::symbols::{M_R_SUM, P_I};
@@ -59,7 +61,7 @@ pub const FOLLOWED: &[&Symbol] = &[
 
 pub const OUTLINE: Outline = Outline {
     inputs: chapters! {
-        geometry "", weights, drive, balance, load "Q", motion, moving "dynamics", luffing_control "control", hoisting, hoisting_control "hoisting.control", air, ground, slewing, slope "slewing.slope", slewing_control "slewing.control", oil "hydraulics",
+        geometry "", rope, sheaves "rope.sheave", weights, drive, balance, load "Q", motion, moving "dynamics", luffing_control "control", hoisting, hoisting_control "hoisting.control", air, ground, slewing, slope "slewing.slope", slewing_control "slewing.control", oil "hydraulics",
         cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_start "cases.start", case_curve "cases.start.curve", case_brake "cases.brake", case_second_brake "cases.second_brake",
         case_buckling "cases.buckling", case_teeth "cases.teeth", case_nut "cases.nut", case_pin_sizes "cases.pin_size", limits
     },
@@ -74,6 +76,7 @@ pub const OUTLINE: Outline = Outline {
         ("angles", &[Rows(listed!(s: THETA_3, THETA_1, ALPHA_1, Y, L, MU))]),
         ("velocity", &[Stage("velocity"), Stage("head"), Rows(&[&s::BETA])]),
         ("pole", &[Stage("pole")]),
+        LED,
         ("load_moment", &[Stage("load_moment"), Stage("by_pole")]),
         ("weight_moment", &[Stage("own")]),
         o::CRANK,
@@ -83,13 +86,27 @@ pub const OUTLINE: Outline = Outline {
         o::SHAFT,
         ("published_forms", &[Stage("published")]),
     ],
-    table: listed!(s: THETA_3, THETA_1, R, A_Y, ALPHA, ALPHA_1, MU, V_AX, M_Q, M_D, F_D),
+    table: &[
+        &s::THETA_3,
+        &s::THETA_1,
+        &s::R,
+        &s::A_Y,
+        &w::Y_Q,
+        &s::ALPHA,
+        &s::ALPHA_1,
+        &s::MU,
+        &s::V_AX,
+        &s::M_Q,
+        &s::M_D,
+        &s::F_D,
+    ],
     curves: &[
         ("li2022_fig_3", Some(&s::P_X), &s::P_Y),
         ("li2022_fig_4", None, &s::THETA_3),
         ("li2022_fig_4", None, &s::THETA_1),
         ("li2022_fig_5", None, &s::ALPHA_1),
         ("li2022_fig_6", Some(&s::R), &s::A_Y),
+        ("led_path", Some(&s::R), &w::Y_Q),
         ("li2022_fig_7", None, &s::V_AX),
         ("li2022_fig_8", None, &s::M_Q),
     ],
@@ -110,10 +127,12 @@ pub const OUTLINE: Outline = Outline {
         ],
         EXTREMES,
     ),
-    summary: &joined::<_, 7, 6, 13>(
+    summary: &joined::<_, 9, 6, 15>(
         [
             &s::DELTA_Y,
             &s::EPSILON_Y,
+            &w::DELTA_YQ,
+            &w::EPSILON_YQ,
             &s::C_Q,
             &s::C_G,
             &d::LAMBDA_D,
@@ -125,16 +144,18 @@ pub const OUTLINE: Outline = Outline {
     sensitivity: &[
         &s::MU_MIN,
         &s::EPSILON_Y,
+        &w::EPSILON_YQ,
         &s::R_MAX,
         &s::M_Q_MAX,
         &s::F_D_MAX,
         &b::DM_MAX,
         &b::N_MAX,
     ],
-    limits: &joined::<_, 11, 19, 30>(
+    limits: &joined::<_, 12, 19, 31>(
         [
             Limit::at_least("transmission_angle", &s::MU_MIN),
             Limit::at_most("level_error", &s::EPSILON_Y),
+            LED_LEVEL,
             Limit::at_most("balance_residual", &b::DM_MAX),
             Limit::at_least("balance_transmission", &b::GAMMA_MIN),
             Limit::at_most("balance_rod", &b::N_MAX),
@@ -174,6 +195,7 @@ pub const VOCABULARY: Vocabulary = Vocabulary {
     words: "symbol",
     own: &[
         s::ALL,
+        w::ALL,
         balance::symbols::ALL,
         drive::symbols::ALL,
         moving::symbols::ALL,

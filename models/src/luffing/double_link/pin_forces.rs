@@ -7,6 +7,7 @@ use crate::luffing::double_link::parameters::{Driven, Weights};
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::statics::Own;
 use crate::luffing::double_link::symbols as s;
+use crate::luffing::led::pull::{Hauled, LedPull};
 use crate::parts::plane::{self, Point};
 
 /// Forces of the bars on the jib, in N, and what the drive must give.
@@ -43,13 +44,14 @@ const AT_REST: MomentNames = MomentNames {
 
 impl<C: Calc> PinForces<C> {
     /// At rest, under the load `q`. Without weights, and their centres, the bars are weightless; a balance acts on the
-    /// boom.
+    /// boom, a led rope on all bars.
     pub fn new(
         p: &Position<C>,
         q: &C,
         weights: &Option<Weights<C>>,
         own: Option<&Own<C>>,
         balance: Option<&Residual<C>>,
+        pulled: Option<&LedPull<C>>,
     ) -> PinForces<C> {
         let q = *q;
         // Load on the jib, its moment about B, and the moments of boom and
@@ -73,7 +75,28 @@ impl<C: Calc> PinForces<C> {
             forward: None,
             about_b,
         };
-        PinForces::under(p, &jib, [boom, rocker], &AT_REST)
+        match pulled {
+            None => PinForces::under(p, &jib, [boom, rocker], &AT_REST),
+            Some(pulled) => PinForces::led(p, &jib, [boom, rocker], &pulled.on, &AT_REST),
+        }
+    }
+
+    /// As [`under`](PinForces::under), with what a led rope does to boom, jib and rocker besides.
+    pub fn led(
+        p: &Position<C>,
+        jib: &JibLoad<C>,
+        [boom, rocker]: [Option<C>; 2],
+        rope: &[Hauled<C>; 3],
+        names: &MomentNames,
+    ) -> PinForces<C> {
+        let [on_boom, on_jib, on_rocker] = rope;
+        let with = |own: Option<C>, rope: &Hauled<C>| Some(own.map_or(-rope.moment, |own| own - rope.moment));
+        let jib = JibLoad {
+            down: jib.down - on_jib.force.y,
+            forward: Some(jib.forward.map_or(on_jib.force.x, |own| own + on_jib.force.x)),
+            about_b: jib.about_b - on_jib.moment,
+        };
+        PinForces::under(p, &jib, [with(boom, on_boom), with(rocker, on_rocker)], names)
     }
 
     /// Equilibrium of jib, driven link and driving link, in this order, under loads on the jib and moments on boom

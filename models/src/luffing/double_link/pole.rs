@@ -7,6 +7,7 @@ use crate::luffing::double_link::parameters::Driven;
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::symbols as s;
 use crate::luffing::double_link::velocity::Velocity;
+use crate::luffing::led::pull::Hauled;
 use crate::parts::plane::{self, Point};
 
 /// Instantaneous centre of the jib.
@@ -106,6 +107,18 @@ impl<C: Calc> Pole<C> {
                 -(q * bar * (p.a.x - at.x) / beyond)
             }
         }
-        .def(&s::M_Q_P)
+    }
+
+    /// Power (N·m) of forces on boom, jib and rocker, with their moments about the bars' first joints, for one radian of the
+    /// driving link: each bar turns about its foot, the jib about this centre, or moves along with the driving link's head.
+    /// [Ports001, 5.9.2.4]
+    pub fn power(&self, p: &Position<C>, v: &Velocity<C>, on: &[Hauled<C>; 3]) -> C {
+        let [boom, jib, rocker] = on;
+        let of_jib = match *self {
+            Pole::AtInfinity(_) => plane::dot(jib.force, v.head),
+            Pole::Finite { at, .. } => v.i_2 * (jib.moment + plane::cross(p.b - at, jib.force)),
+        };
+        let (i_1, i_3) = v.of_feet(p);
+        boom.moment * i_1 + of_jib + rocker.moment * i_3
     }
 }

@@ -10,10 +10,13 @@ use crate::kernel::group::One;
 use crate::luffing::balancing::Balancing;
 use crate::luffing::double_link::balancing::place;
 use crate::luffing::double_link::geometry::Geometry;
+use crate::luffing::double_link::leading::{height, lines};
 use crate::luffing::double_link::moving::symbols as m;
 use crate::luffing::double_link::parameters::{Driven, Weights};
 use crate::luffing::double_link::pin_forces::{JibLoad, MomentNames, PinForces};
 use crate::luffing::double_link::position::Position;
+use crate::luffing::led::path::Reeved;
+use crate::luffing::led::pull::LedPull;
 use crate::luffing::moving::bodies::Body;
 use crate::luffing::resistances::friction::{Pin, Pins, Rubbed};
 use crate::luffing::resistances::given::{CaseBody, CasesChoice};
@@ -37,6 +40,7 @@ pub struct LinkPlaces<C> {
     geometry: Geometry<C>,
     weights: Weights<C>,
     balancing: Option<Balancing<C>>,
+    reeved: Option<Reeved<C>>,
     way: DriveWay<C>,
 }
 
@@ -52,6 +56,7 @@ impl Placing for OfLink {
             geometry: of.geometry.map(f),
             weights: of.weights.map(&mut |_, x| f(x)),
             balancing: of.balancing.map(|balancing| balancing.map(f)),
+            reeved: of.reeved.map(|reeved| reeved.map(f)),
             way: of.way.map(f),
         }
     }
@@ -59,15 +64,15 @@ impl Placing for OfLink {
     #[inline(always)]
     fn placed<C: Calc>(of: &LinkPlaces<C>, theta: C) -> Option<Placed<C>> {
         let (g, nothing) = (&of.geometry, Point::new(C::constant(0.0), C::constant(0.0)));
-        let (p, l) = (Position::new(g, theta)?, &g.lengths);
+        let p = Position::new(g, theta)?;
         let counterweight = match &of.balancing {
             Some(balancing) => place(balancing, g, &of.weights, &p, theta)?,
             None => nothing,
         };
         Some(Placed {
-            bars: [[nothing, p.x_1 / l.x_1], [p.b, p.x_2 / l.x_2], [l.o3(), p.x_3 / l.x_3]],
+            bars: lines(g, &p),
             head: p.a,
-            load: p.a.y,
+            load: height(g, of.reeved.as_ref(), &p)?,
             counterweight,
             way: of.way.at(theta)?,
         })
@@ -100,12 +105,14 @@ impl<C: Calc> LinkPlaces<C> {
         geometry: &Geometry<C>,
         weights: &Weights<C>,
         balancing: Option<&Balancing<C>>,
+        reeved: Option<&Reeved<C>>,
         way: &DriveWay<C>,
     ) -> LinkPlaces<C> {
         LinkPlaces {
             geometry: *geometry,
             weights: *weights,
             balancing: balancing.copied(),
+            reeved: reeved.copied(),
             way: *way,
         }
     }
@@ -139,6 +146,7 @@ pub fn pins<C: Calc>(
     p: &Position<C>,
     drive: &Drive<C>,
     residual: Option<&Residual<C>>,
+    rope: Option<&LedPull<C>>,
     moved: &MovedBars<C>,
     loads: &Loads<C>,
     resisted: &Resisted<C>,
@@ -154,16 +162,22 @@ pub fn pins<C: Calc>(
         forward: Some(on_jib.x),
         about_b: -about_b,
     };
+    let rope = rope.map(|rope| [0, 1, 2].map(|bar| rope.by(bar, loads.load)));
     let held = C::body(usize::MAX, || {
-        PinForces::under(p, &under, [Some(-m_1 - carrying.moment), Some(-m_3)], &NAMES)
+        let moments = [Some(-m_1 - carrying.moment), Some(-m_3)];
+        match &rope {
+            None => PinForces::under(p, &under, moments, &NAMES),
+            Some(rope) => PinForces::led(p, &under, moments, rope, &NAMES),
+        }
     });
+    let by_rope = |force: Point<C>, bar: usize| rope.map_or(force, |rope| force - rope[bar].force);
     let push = drive.along(-resisted.sum / drive.h_d);
     let by_drive = |force: Point<C>, driven| match push {
         Some(push) if p.driven == driven => force - push,
         _ => force,
     };
-    let o1 = by_drive(held.b - f_1 - carrying.on_boom, Driven::Boom);
-    let o3 = by_drive(held.c - f_3, Driven::Rocker);
+    let o1 = by_drive(by_rope(held.b - f_1 - carrying.on_boom, 0), Driven::Boom);
+    let o3 = by_drive(by_rope(held.c - f_3, 2), Driven::Rocker);
     let own = [
         Pin::new(o1, [boom, nothing]),
         Pin::new(held.b, [jib, boom]),

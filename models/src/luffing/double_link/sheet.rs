@@ -28,6 +28,7 @@ use crate::luffing::double_link::balancing::{self, boom};
 use crate::luffing::double_link::drawing::drawing;
 use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::keys::KEYS;
+use crate::luffing::double_link::leading::{hauled, rise};
 use crate::luffing::double_link::moving;
 use crate::luffing::double_link::outline::{FOLLOWED, OUTLINE, VOCABULARY};
 use crate::luffing::double_link::parameters::{Choice, Driven, Jib};
@@ -36,7 +37,7 @@ use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::range::{Rise, rise_by_integration};
 use crate::luffing::double_link::scene::{Luffing, LuffingScene, search};
 use crate::luffing::double_link::stages::{DoubleLink, Given};
-use crate::luffing::double_link::statics::{Centres, LoadMoment, Own};
+use crate::luffing::double_link::statics::{Centres, Own};
 use crate::luffing::double_link::symbols as s;
 use crate::luffing::double_link::system::ByCentres;
 use crate::luffing::double_link::velocity::Velocity;
@@ -83,6 +84,9 @@ impl Described for LuffingScene {
             theta: One(p.driven.coordinate(), this.motion.from),
             omega: One(p.driven.rate(), this.motion.speed),
             load: this.q.map(|q| One(&s::Q, q)),
+            rope: this.led.falls,
+            sheaves: this.led.sheaves.clone(),
+            leading: this.led.leading,
             lengths: p.lengths,
             jib: match p.jib {
                 Jib::Sag(x) => One(&s::X_7, x),
@@ -105,6 +109,7 @@ impl Described for LuffingScene {
     fn check(luffing: &mut Luffing, v: &Values, found: &mut Vec<Diagnostic>) {
         let mut standing = luffing.standing();
         resistances::told::check::<DoubleLink>(&standing, &luffing.cases, v, found);
+        luffing.led.check(&standing, v, found);
         if luffing.moving.is_some() {
             drive::hauling::check(&mut standing, v, found);
         }
@@ -206,7 +211,8 @@ impl Described for LuffingScene {
 
     fn identities(this: &Luffing, model: &mut Standing) -> Vec<Check> {
         let (p, motion) = (&this.parameters, &this.motion);
-        let (Ok(g), Some(rise)) = (Geometry::new(p), Rise::new(p, motion)) else {
+        let led = this.led.reeved();
+        let (Ok(g), Some(rise)) = (Geometry::new(p), Rise::new(p, led.as_ref(), motion)) else {
             return Vec::new();
         };
         let mut checks = Vec::new();
@@ -227,7 +233,7 @@ impl Described for LuffingScene {
             return checks;
         };
         // Agreement of independent ways, relative to the largest moment.
-        let (integral, difference) = (rise_by_integration(&g, motion), rise.whole);
+        let (integral, difference) = (rise_by_integration(&g, led.as_ref(), motion), rise.whole);
         let scale = rise.steepest.abs();
         let energy = ((integral - difference) / (scale * (motion.to - motion.from))).abs();
         agree("energy_identity", energy, 1e-9);
@@ -241,11 +247,12 @@ impl Described for LuffingScene {
 
     fn totals(this: &Luffing) -> Vec<Summary> {
         let (p, motion) = (&this.parameters, &this.motion);
-        let (Some(q), Ok(g), Some(rise)) = (this.q, Geometry::new(p), Rise::new(p, motion)) else {
+        let led = this.led.reeved();
+        let (Some(q), Ok(g), Some(rise)) = (this.q, Geometry::new(p), Rise::new(p, led.as_ref(), motion)) else {
             return Vec::new();
         };
         vec![
-            Summary::new(&s::W_Q, q * rise_by_integration(&g, motion)),
+            Summary::new(&s::W_Q, q * rise_by_integration(&g, led.as_ref(), motion)),
             Summary::new(&s::W_Y, q * rise.whole),
         ]
     }
@@ -278,7 +285,8 @@ impl Described for LuffingScene {
             } else {
                 "level_static"
             };
-            return [Some(level), given(this.q.is_some(), "forces"), foot]
+            let led = given(this.led.falls.is_some(), "led_rope");
+            return [Some(level), led, given(this.q.is_some(), "forces"), foot]
                 .into_iter()
                 .flatten()
                 .collect();
@@ -395,15 +403,24 @@ fn power(luffing: &Luffing, g: &Geometry<f64>, model: &mut Standing) -> Check {
     let weights = luffing.parameters.weights.as_ref();
     let mut symbols = vec![g.driven.coordinate(), &s::M_Q];
     symbols.extend(weights.map(|_| &s::M_G));
+    let led = luffing.led.reeved();
     vanishing(model, ("power", &s::AGREEMENT), &symbols, |row| {
         let p = Position::new(g, row[0]).expect("the range was checked");
         let centres = weights.map(|w| Centres::new(&p, &g.lengths, w));
         let (by_centres, q) = (ByCentres::new(g, &p), luffing.q.unwrap_or(0.0));
         let links = by_centres.power(&p, q, weights.zip(centres.as_ref()));
+        let rope = led.as_ref().and_then(|led| hauled(g, led, &p, q));
+        let rope = rope.map_or([0.0; 3], |rope| by_centres.hauled(&p, &rope.on));
         // Apart, as a centre below the load leaves nothing of great moments.
         let of_centre = (q + weights.map_or(0.0, |w| w.g_2)) * by_centres.lever();
         let work = row[1] + row.get(2).copied().unwrap_or(0.0);
-        [work, -links[0], -(links[1] + of_centre), of_centre, -links[2]]
+        [
+            work,
+            rope[0] - links[0],
+            rope[1] - (links[1] + of_centre),
+            of_centre,
+            rope[2] - links[2],
+        ]
     })
 }
 
@@ -413,6 +430,7 @@ fn equilibrium(luffing: &Luffing, g: &Geometry<f64>) -> f64 {
     let (lengths, weights) = (&g.lengths, &luffing.parameters.weights);
     let q = luffing.q.unwrap_or(0.0);
     let balancing = balancing::new(&luffing.parameters, &luffing.motion).ok().flatten();
+    let led = luffing.led.reeved();
     let (mut worst, mut scale) = (0.0_f64, f64::MIN_POSITIVE);
     for theta in fine(&luffing.motion) {
         let Some(p) = Position::new(g, theta) else { continue };
@@ -422,8 +440,10 @@ fn equilibrium(luffing: &Luffing, g: &Geometry<f64>) -> f64 {
         let residual = with.and_then(|((balancing, w), own)| balancing::at(balancing, g, &p, &v, w, own, &theta).ok());
         let turn = if p.driven == Driven::Boom { 1.0 } else { v.i_follower };
         let carried = residual.as_ref().map_or(0.0, |residual| residual.action.m_b * turn);
-        let work = LoadMoment::new(&v, &q).m_q + own.as_ref().map_or(0.0, |own| own.m_g) - carried;
-        let m_d = PinForces::new(&p, &q, weights, own.as_ref(), residual.as_ref()).m_d;
+        let risen = rise(g, led.as_ref(), &p).unwrap_or(f64::NAN);
+        let work = q * risen + own.as_ref().map_or(0.0, |own| own.m_g) - carried;
+        let pulled = led.as_ref().and_then(|led| hauled(g, led, &p, q));
+        let m_d = PinForces::new(&p, &q, weights, own.as_ref(), residual.as_ref(), pulled.as_ref()).m_d;
         worst = worst.max((m_d - work).abs());
         // What is left of great moments may be nothing.
         scale = scale.max(work.abs()).max(carried.abs());

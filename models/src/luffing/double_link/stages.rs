@@ -29,6 +29,7 @@ use crate::luffing::double_link::feet::Feet;
 use crate::luffing::double_link::forces_in_motion::RESULTS;
 use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::held::{Carried, Held, Passes};
+use crate::luffing::double_link::leading::{beginning, leads, pulled};
 use crate::luffing::double_link::linkage::HeavyLinkage;
 use crate::luffing::double_link::moving::built::{CraneParts, Inertias};
 use crate::luffing::double_link::moving::motion::{self, CraneForces, LinkRates, RATES};
@@ -42,6 +43,10 @@ use crate::luffing::double_link::statics::{LoadMoment, Own, by_pole};
 use crate::luffing::double_link::symbols as g;
 use crate::luffing::double_link::unbalanced::{Unbalanced, UnbalancedCase};
 use crate::luffing::double_link::velocity::Velocity;
+use crate::luffing::led::fragments::{leading, led};
+use crate::luffing::led::path::{LedBars, Reeved};
+use crate::luffing::led::pull::LedPull;
+use crate::luffing::led::symbols as w;
 use crate::luffing::moving::control::acting;
 use crate::luffing::moving::fragments::{
     coordinate, exposed, geared, plant, pulled, regulated, remembered, surrounded, told,
@@ -69,6 +74,7 @@ mod s {
     pub use crate::drive::symbols::T_CR;
     pub use crate::luffing::double_link::moving::symbols::*;
     pub use crate::luffing::double_link::symbols::*;
+    pub use crate::luffing::led::symbols::V_Q;
     pub use crate::luffing::resistances::symbols::F_R;
     pub use crate::luffing::strength::symbols::{P_C, U_K};
 }
@@ -88,6 +94,7 @@ composed! {
         Parameter weights: Option<Weights<C>>,
         ..driven(),
         Parameter balance: Option<Form<C>>,
+        ..led(),
         ..cases(),
         ..strong_parts(),
         ..chosen(),
@@ -105,24 +112,29 @@ composed! {
         drive: Drive<C> = Drive::of(bar, mount[!], rod, cranked[?]);
         stroke: C = line::speed(drive, omega) => V_D;
         flow: C = line::flow(cylinder[!], stroke) => Q_D;
-        load_moment: LoadMoment<C> = LoadMoment::new(velocity, load[!]);
-        by_pole: C = by_pole(pole, geometry, position, velocity, load[!]) => M_Q_P;
+        reeved: Reeved<C> = Reeved::new(rope[!], sheaves, leading) => _;
+        leads: LedBars<C> = leads(geometry, position, velocity) => _;
+        beginning: LedBars<C> = beginning(geometry, choice) => _;
+        ..leading(omega);
+        pulled: LedPull<C> = pulled(reeved, load[!], leads, stretched);
+        load_moment: LoadMoment<C> = LoadMoment::new(velocity, led[?], load[!]);
+        by_pole: C = by_pole(pole, geometry, position, velocity, load[!], pulled[?]) => M_Q_P;
         own: Own<C> = Own::new(position, velocity, lengths, weights[!]);
         balancing: Balancing<C> = balancing(lengths, jib, weights, balance[!], choice) => _;
         residual: Residual<C> = balancing::at(balancing, geometry, position, velocity, weights[!], own, theta);
         balanced: Balanced<C> = balanced(residual, position, velocity, load_moment, own, drive[?]);
         passes: Passes = Passes::new(geometry, choice) => _, plain;
         carried: Carried<C> = Carried::new(velocity, load_moment, load[!], weights, own[?], residual[?]) => _;
-        held: Held<C> = Held::new(position, theta, carried, own[?], residual[?], passes);
+        held: Held<C> = Held::new(position, theta, carried, own[?], residual[?], passes, pulled[?]);
         push: Reaction<C> = driving::push(drive, held);
         ..shaft();
-        feet: Feet<C> = Feet::new(position, lengths, weights, residual[?], held, push[?]);
+        feet: Feet<C> = Feet::new(position, lengths, weights, residual[?], held, push[?], pulled[?]);
         analysed: Analysis = analysed(lengths, jib, weights[!], balance[!], choice) => _, plain;
         criteria: Criteria<C> = criteria(balancing, geometry, weights[!], analysed, choice);
         published: PublishedFormulas<C> = published(geometry, jib, theta) => _;
         way: DriveWay<C> = driving::way(mount[!], rod, crank[?], lengths, choice) => _;
-        places: LinkPlaces<C> = LinkPlaces::new(geometry, weights[!], balancing[?], way) => _;
-        ..resisted(theta, drive, position, drive, residual[?]);
+        places: LinkPlaces<C> = LinkPlaces::new(geometry, weights[!], balancing[?], reeved[?], way) => _;
+        ..resisted(theta, drive, position, drive, residual[?], pulled[?]);
         unbalanced: Unbalanced<C> = Unbalanced::new(position, velocity, weights[!], own, moved, bodies, chosen[!]);
         unbalanced_case[each cases]: Vec<UnbalancedCase<C>> = UnbalancedCase::new(unbalanced, load[!], cases[each], resisted[each]);
         ..strong();
@@ -159,7 +171,7 @@ resists!(DoubleLink with resisting::PARTS, beside outline::SIDE_BY_SIDE, worked 
 
 said! { DoubleLink: Said {
     bar: [&[&s::THETA_1, &s::OMEGA_1, &s::THETA_3, &s::OMEGA_3], &RATES],
-    still: &[g::ALL, b::ALL, crate::drive::symbols::ALL],
+    still: &[g::ALL, w::ALL, b::ALL, crate::drive::symbols::ALL],
     moving: &joined::<_, 21, 3, 24>(RESULTS, PULLS),
     drive: Some(&s::M_D),
     remarks: &[],
@@ -168,10 +180,12 @@ said! { DoubleLink: Said {
 impl Component for DoubleLink {
     luffing_component!(position);
 
-    const WHOLE: &'static [Whole] = &joined::<_, 7, 4, 11>(
+    const WHOLE: &'static [Whole] = &joined::<_, 9, 4, 13>(
         [
             Whole::new(&s::DELTA_Y, How::Swing, &s::A_Y),
             Whole::new(&s::EPSILON_Y, How::Ratio(&s::R), &s::A_Y),
+            Whole::new(&w::DELTA_YQ, How::Swing, &w::Y_Q),
+            Whole::new(&w::EPSILON_YQ, How::Ratio(&s::R), &w::Y_Q),
             Whole::new(&s::R_MAX, How::Greatest, &s::R),
             Whole::new(&s::R_MIN, How::Least, &s::R),
             Whole::new(&s::MU_MIN, How::Least, &s::MU),

@@ -8,6 +8,8 @@ use crate::luffing::double_link::pole::Pole;
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::symbols as s;
 use crate::luffing::double_link::velocity::Velocity;
+use crate::luffing::led::path::LedRope;
+use crate::luffing::led::pull::LedPull;
 use crate::parts::plane::{self, Point};
 
 /// Luffing moment of the load about the foot of the driving link, in N·m; positive lowers the bar.
@@ -18,18 +20,29 @@ pub struct LoadMoment<C> {
 results! { LoadMoment as m => { M_Q: m.m_q; } }
 
 impl<C: Calc> LoadMoment<C> {
-    /// Of the load Q (N). [Li2022, eq. 11, by virtual work]
+    /// Of the load Q (N), which rises with the head unless its rope is led. [Li2022, eq. 11, by virtual work]
     #[inline]
-    pub fn new(v: &Velocity<C>, q: &C) -> LoadMoment<C> {
+    pub fn new(v: &Velocity<C>, led: Option<&LedRope<C>>, q: &C) -> LoadMoment<C> {
+        let rise = led.map_or(v.da.y, |led| led.rise);
         LoadMoment {
-            m_q: (*q * v.da.y).def(&s::M_Q),
+            m_q: (*q * rise).def(&s::M_Q),
         }
     }
 }
 
-/// The same through the instantaneous centre. [Li2022, eq. 11]
-pub fn by_pole<C: Calc>(pole: &Pole<C>, g: &Geometry<C>, p: &Position<C>, v: &Velocity<C>, q: &C) -> C {
-    pole.moment(g, p, v, *q)
+/// The same through the instantaneous centre, with the powers of a led rope on each bar. [Li2022, eq. 11; Ports001, 5.9.2.4]
+pub fn by_pole<C: Calc>(
+    pole: &Pole<C>,
+    g: &Geometry<C>,
+    p: &Position<C>,
+    v: &Velocity<C>,
+    q: &C,
+    pulled: Option<&LedPull<C>>,
+) -> C {
+    let load = pole.moment(g, p, v, *q);
+    pulled
+        .map_or(load, |pulled| load - pole.power(p, v, &pulled.on))
+        .def(&s::M_Q_P)
 }
 
 /// Centres of gravity, in m from each bar's first joint: boom from O1, jib from

@@ -14,7 +14,8 @@ use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::statics::{Centres, Own};
 use crate::luffing::double_link::symbols as s;
 use crate::luffing::double_link::velocity::Velocity;
-use crate::parts::plane;
+use crate::luffing::led::pull::Hauled;
+use crate::parts::plane::{self, Point};
 
 /// The mechanism with the weights of boom, jib and rocker, driven by its boom.
 #[derive(Clone, Copy, Debug)]
@@ -46,8 +47,8 @@ pub fn height<C: Calc>(g: &Geometry<C>, w: &Weights<C>, p: &Position<C>, r: &Cen
 pub struct ByCentres<C> {
     /// Angular velocity of the bar that is not driven over the driving link's.
     pub follower: C,
-    /// The jib's, and how far forward of O1 its centre lies, in m; where it only shifts, its rise, in m.
-    jib: Result<(C, C), C>,
+    /// The jib's, and its centre, in m from O1; where it only shifts, its travel, in m.
+    jib: Result<(C, Point<C>), Point<C>>,
 }
 
 impl<C: Calc> ByCentres<C> {
@@ -69,13 +70,13 @@ impl<C: Calc> ByCentres<C> {
                 let i_2 = (one / (one - first)).def(&s::I_2);
                 ByCentres {
                     follower: (i_2 * (one - last)).def(name),
-                    jib: Ok((i_2, at.x)),
+                    jib: Ok((i_2, at)),
                 }
             }
             // Boom and rocker are parallel.
             Pole::AtInfinity(_) => ByCentres {
                 follower: (plane::dot(driving, follower) / length.square()).def(name),
-                jib: Err(driving.x),
+                jib: Err(Point::new(-driving.y, driving.x)),
             },
         }
     }
@@ -83,15 +84,15 @@ impl<C: Calc> ByCentres<C> {
     /// Rise of a point of the jib this far forward of O1, in m, for one radian.
     pub fn rise(&self, x: C) -> C {
         match self.jib {
-            Ok((i_2, centre)) => i_2 * (x - centre),
-            Err(rise) => rise,
+            Ok((i_2, centre)) => i_2 * (x - centre.x),
+            Err(travel) => travel.y,
         }
     }
 
     /// What the jib's centre is of every such rise, in m.
     pub fn lever(&self) -> C {
         match self.jib {
-            Ok((i_2, centre)) => i_2 * centre,
+            Ok((i_2, centre)) => i_2 * centre.x,
             Err(_) => C::constant(0.0),
         }
     }
@@ -107,6 +108,18 @@ impl<C: Calc> ByCentres<C> {
         match p.driven {
             Driven::Boom => [boom, jib, rocker * self.follower],
             Driven::Rocker => [boom * self.follower, jib, rocker],
+        }
+    }
+
+    /// Power of a led rope on boom, jib and rocker for one radian of the driving link, in N·m.
+    pub fn hauled(&self, p: &Position<C>, [boom, jib, rocker]: &[Hauled<C>; 3]) -> [C; 3] {
+        let jib = match self.jib {
+            Ok((i_2, centre)) => i_2 * (jib.moment + plane::cross(p.b - centre, jib.force)),
+            Err(travel) => plane::dot(jib.force, travel),
+        };
+        match p.driven {
+            Driven::Boom => [boom.moment, jib, rocker.moment * self.follower],
+            Driven::Rocker => [boom.moment * self.follower, jib, rocker.moment],
         }
     }
 }

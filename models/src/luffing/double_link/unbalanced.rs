@@ -9,7 +9,7 @@
 use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
-use crate::luffing::double_link::parameters::{Driven, Weights};
+use crate::luffing::double_link::parameters::Weights;
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::statics::Own;
 use crate::luffing::double_link::symbols as s;
@@ -27,11 +27,8 @@ const TIE: usize = 2;
 
 /// Angular velocities of boom, jib and rocker for one radian of the luffing angle.
 fn ratios<C: Calc>(p: &Position<C>, v: &Velocity<C>) -> [C; 3] {
-    let rocker = match p.driven {
-        Driven::Boom => v.i_follower,
-        Driven::Rocker => C::constant(1.0),
-    };
-    [v.of_boom, v.i_2, rocker]
+    let (boom, rocker) = v.of_feet(p);
+    [boom, v.i_2, rocker]
 }
 
 /// What is the same in all cases.

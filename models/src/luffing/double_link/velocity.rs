@@ -72,6 +72,15 @@ impl<C: Calc> Velocity<C> {
         }
     }
 
+    /// Angular velocities of boom and rocker over the driving link's.
+    pub fn of_feet(&self, p: &Position<C>) -> (C, C) {
+        let rocker = match p.driven {
+            Driven::Boom => self.i_follower,
+            Driven::Rocker => C::constant(1.0),
+        };
+        (self.of_boom, rocker)
+    }
+
     /// Velocity of A, in m/s, at the driving link's angular velocity (rad/s). [Li2022, eq. 10]
     #[inline]
     pub fn v_a(&self, omega: &C) -> Point<C> {

@@ -1,0 +1,15 @@
+//! A hoist rope that is led from the head over sheaves on bars of the mechanism to the frame: the load rises and falls by it
+//! while the mechanism luffs. [Ports001, 5.9.2.4]
+//!
+//! | id | function | source |
+//! |---|---|---|
+//! | `led.stretch` | [`path::Stretch::all`] | derived |
+//! | `led.rope` | [`path::LedStart::new`], [`path::LedRope::new`] | Ports001, 5.9.2.4 |
+//! | `led.pull` | [`pull::LedPull::new`] | Ports001, 5.9.2.4, by equilibrium |
+
+pub mod fragments;
+pub mod outline;
+pub mod path;
+pub mod pull;
+pub mod scene;
+pub mod symbols;

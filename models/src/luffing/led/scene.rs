@@ -1,0 +1,128 @@
+//! What a scene says of a led hoist rope.
+
+use crate::component::running::Running;
+use crate::component::standing::Standing;
+use crate::component::telling::fine;
+use crate::kernel::diagnostic::Diagnostic;
+use crate::kernel::keys::keys;
+use crate::kernel::schema::{Key, Kind, Values};
+use crate::kernel::symbol::Symbol;
+use crate::luffing::led::path::{Leading, LedFalls, MOST, Reeved, Sheave};
+use crate::luffing::resistances::placed::BARS;
+use crate::luffing::resistances::train::named;
+use crate::parts::motion::degrees;
+
+/// Quantities of the led rope and of the tackle that carries the load.
+mod s {
+    pub use crate::luffing::led::symbols::*;
+    pub use crate::luffing::moving::symbols::M_H;
+}
+
+/// The table `[luffing.rope]`.
+pub const ROPE: Key = Key::part(
+    "rope",
+    KEYS,
+    "Hoist rope that is led from the head over sheaves to the frame; without it the load keeps its distance below the head.",
+);
+
+static KEYS: &[Key] = keys! { s:
+    M_H > 0, H_Q >= 0;
+    Key::new("sheave", Kind::Tables(SHEAVE, MOST), "Sheaves in the order in which the rope runs over them from the head; the last one is on the frame.")
+};
+
+static SHEAVE: &[Key] = keys! { s:
+    X_R, Y_R;
+    Key::new("on", Kind::Name, "The bar that carries the sheave, or the frame.")
+};
+
+/// Name of what carries all bars.
+const FRAME: &str = "frame";
+
+/// Least length of rope between two sheaves, as a part of the whole rope: nearer, no sheaves have room.
+const NEAREST: f64 = 1e-3;
+
+/// A led rope as a scene has it; nothing of one that it does not have.
+#[derive(Clone, Debug, Default)]
+pub struct Led {
+    pub falls: Option<LedFalls<f64>>,
+    pub sheaves: Vec<Sheave<f64>>,
+    pub leading: Leading,
+}
+
+impl Led {
+    /// As it is reeved, where there is one.
+    #[must_use]
+    pub fn reeved(&self) -> Option<Reeved<f64>> {
+        self.falls
+            .map(|falls| Reeved::new(&falls, &self.sheaves, &self.leading))
+    }
+
+    /// Of a checked mechanism's table, whose bars have these names; mistakes go to `found`.
+    pub fn read(v: &Values, bars: &[&str], moves: bool, found: &mut Vec<Diagnostic>) -> Led {
+        let Some(table) = v.table("rope") else {
+            return Led::default();
+        };
+        if moves {
+            let what = "a hoist rope led over sheaves, of a mechanism that moves by itself";
+            let help = "leave out [luffing.rope], or set fidelity = \"static\" or \"table\"";
+            found.push(v.refuse("rope", what, "not modelled", help));
+        }
+        let known: Vec<&str> = bars.iter().copied().chain([FRAME]).collect();
+        let mut led = Led {
+            falls: LedFalls::read(table),
+            ..Led::default()
+        };
+        let tables = table.tables("sheave");
+        for (sheave, on) in tables.iter().zip(&mut led.leading.0) {
+            let place = named(sheave, "on", "bar", &known, found);
+            *on = place.filter(|place| known[*place] != FRAME).unwrap_or(BARS);
+            led.sheaves.extend(Sheave::read(sheave));
+        }
+        let last = tables.last().map(|sheave| sheave.text("on") == Some(FRAME));
+        if last != Some(true) {
+            let (place, what) = match tables.last() {
+                None => (table.place("sheave"), "a led hoist rope without a sheave".to_owned()),
+                Some(sheave) => (
+                    sheave.place("on"),
+                    format!("a hoist rope that ends on the {}", sheave.text("on").unwrap_or("bar")),
+                ),
+            };
+            let help = "it runs to its drum from a sheave on the frame: let the last [[luffing.rope.sheave]] be on = \"frame\"";
+            found.push(Diagnostic::new(place, what, "not on the frame").help(help));
+        }
+        led
+    }
+
+    /// Whether sheaves have room between them over the whole working range; mistakes go to `found`.
+    pub fn check(&self, model: &Standing, v: &Values, found: &mut Vec<Diagnostic>) {
+        if self.falls.is_none() {
+            return;
+        }
+        let (mut model, range) = (model.clone(), *model.motion());
+        let of = |symbol: &'static Symbol| {
+            let all = model.variables().iter().enumerate();
+            all.filter(move |(_, variable)| variable.symbol == symbol)
+                .map(|(index, _)| index)
+        };
+        let (each, whole): (Vec<usize>, Vec<usize>) = (of(&s::L_RI).collect(), of(&s::L_LED).collect());
+        let near = fine(&range).find_map(|phi| {
+            model.set(0, phi).ok()?;
+            // What has no length is no result.
+            let mut length = |index: &usize| model.get(*index).unwrap_or(0.0);
+            let least = NEAREST * length(&whole[0]);
+            let place = each.iter().position(|index| length(index) <= least)?;
+            Some((place, length(&each[place]), phi))
+        });
+        let Some((place, length, phi)) = near else { return };
+        let what = format!(
+            "sheave {} of the hoist rope comes within {} of where the rope comes from, at {}",
+            place + 1,
+            s::L_RI.written(length),
+            degrees(phi)
+        );
+        let help = "move the sheave, or keep the working range away from there";
+        let table = v.table("rope").and_then(|rope| rope.tables("sheave").get(place));
+        let span = table.map_or(0..0, |table| table.place(s::X_R.id));
+        found.push(Diagnostic::new(span, what, "no room for a sheave").help(help));
+    }
+}
