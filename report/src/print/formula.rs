@@ -162,6 +162,7 @@ mod tests {
             &BTreeSet::new(),
             &trace,
             &Step {
+                number: None,
                 symbol: &s::L,
                 formula,
                 value: trace.value(formula),
