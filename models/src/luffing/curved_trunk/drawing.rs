@@ -10,15 +10,19 @@ use crate::drive::scene::Driving;
 use crate::kernel::group::One;
 use crate::luffing::curved_trunk::contact::Contact;
 use crate::luffing::curved_trunk::driving;
+use crate::luffing::curved_trunk::leading::leads;
 use crate::luffing::curved_trunk::position::TrunkPosition;
 use crate::luffing::curved_trunk::stages::Given;
 use crate::luffing::curved_trunk::symbols as s;
 use crate::luffing::curved_trunk::tail::{Leaving, TrunkTail};
+use crate::luffing::curved_trunk::velocity::TrunkTravel;
+use crate::luffing::led::drawing::rope;
+use crate::luffing::led::scene::Led;
 use crate::parts::motion::Motion;
 use crate::parts::plane::{self, Point};
 
 /// At the ends of the working range (faint) and where it is told of, with tail, tie and the path of the head.
-pub fn drawing(given: &Given<f64>, driven: &Driving, range: &Motion, told: f64) -> Drawing {
+pub fn drawing(given: &Given<f64>, led: &Led, driven: &Driving, range: &Motion, told: f64) -> Drawing {
     let Given { trunk, arc, choice, .. } = given;
     let (o1, o3) = (Point::zeros(), Point::new(trunk.o3_x, trunk.o3_y));
     let tail = TrunkTail::new(trunk, arc, choice).expect("checked when the scene was read");
@@ -26,7 +30,7 @@ pub fn drawing(given: &Given<f64>, driven: &Driving, range: &Motion, told: f64) 
         let contact = Contact::new(&tail, choice, &phi).expect("checked when the scene was read");
         (TrunkPosition::new(&tail, &contact), contact)
     };
-    let size = trunk.b;
+    let (size, led) = (trunk.b, led.reeved());
     let mut draw = Draw::default();
     draw.path(fine(range).map(|phi| at(phi).0.a));
     let [clamp, end] = tail.ends.map(|end| end.place);
@@ -40,6 +44,9 @@ pub fn drawing(given: &Given<f64>, driven: &Driving, range: &Motion, told: f64) 
         draw.body(&outline, faint);
         draw.bar(&[p.b, p.a], faint);
         draw.bar(&[p.t, o3], faint);
+        if let Some(led) = &led {
+            rope(&mut draw, led, &leads(&p, &TrunkTravel::new(&p), &phi), faint);
+        }
         draw.joint(p.a, "A", false, faint);
         draw.joint(p.b, "B", false, faint);
         draw.pin(p.t, false, faint);

@@ -7,8 +7,8 @@ use crate::luffing::curved_trunk::position::TrunkPosition;
 use crate::luffing::curved_trunk::symbols as s;
 use crate::luffing::curved_trunk::tail::{TrunkChoice, TrunkTail};
 use crate::luffing::curved_trunk::velocity::TrunkTravel;
-use crate::luffing::led::path::{LedBars, Reeved, Stretch};
-use crate::luffing::led::pull::{Hauled, LedPull};
+use crate::luffing::led::path::LedBars;
+use crate::luffing::led::pull::Hauled;
 use crate::parts::plane::{self, Point};
 
 /// The bar that carries the head.
@@ -24,6 +24,7 @@ pub fn leads<C: Calc>(position: &TrunkPosition<C>, travel: &TrunkTravel<C>, phi:
         moves: [(foot, C::constant(1.0)), trunk.1, trunk.1],
         head: position.a,
         travel: travel.a,
+        carries: TRUNK,
     }
 }
 
@@ -37,11 +38,6 @@ pub fn beginning<C: Calc>(tail: &TrunkTail<C>, choice: &TrunkChoice) -> Found<Le
         let position = TrunkPosition::new(tail, &Contact::new(tail, choice, &from)?);
         Ok(leads(&position, &TrunkTravel::new(&position), &from))
     })
-}
-
-/// What the rope does to boom and trunk, under the load (N).
-pub fn pulled<C: Calc>(reeved: &Reeved<C>, q: &C, bars: &LedBars<C>, stretched: &[Stretch<C>]) -> LedPull<C> {
-    LedPull::new(reeved, q, bars, stretched, TRUNK)
 }
 
 /// Its power (N·m) for one radian of the boom: the trunk turns about its instantaneous centre, or moves along with B.

@@ -342,7 +342,7 @@ impl Described for CurvedTrunk {
 
     /// The boom at the ends (faint) and in the middle of the working range, with trunk, tail, tie and the path of the head.
     fn drawing(this: &Description<CurvedTrunk>, told: f64) -> Drawing {
-        drawing(&this.given, &this.driving, &this.motion, told)
+        drawing(&this.given, &this.led, &this.driving, &this.motion, told)
     }
 
     fn in_motion(this: &Description<CurvedTrunk>) -> Option<Moved> {

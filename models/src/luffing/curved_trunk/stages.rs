@@ -26,7 +26,7 @@ use crate::luffing::curved_trunk::balancing::{analysed, balanced, balancing, cri
 use crate::luffing::curved_trunk::contact::Contact;
 use crate::luffing::curved_trunk::driving;
 use crate::luffing::curved_trunk::forces_in_motion::{self, TrunkForces, forces};
-use crate::luffing::curved_trunk::leading::{beginning, leads, pulled};
+use crate::luffing::curved_trunk::leading::{beginning, leads};
 use crate::luffing::curved_trunk::moving::{TrunkInertias, TrunkParts, Trunked};
 use crate::luffing::curved_trunk::pins::{TrunkBearing, TrunkPins, power, pressure, slack};
 use crate::luffing::curved_trunk::position::TrunkPosition;
@@ -35,7 +35,7 @@ use crate::luffing::curved_trunk::statics::{TrunkLoad, TrunkWeight, TrunkWeights
 use crate::luffing::curved_trunk::symbols as t;
 use crate::luffing::curved_trunk::tail::{TailArc, Trunk, TrunkChoice, TrunkTail};
 use crate::luffing::curved_trunk::velocity::{TrunkSpeeds, TrunkTravel, pole};
-use crate::luffing::led::fragments::{leading, led};
+use crate::luffing::led::fragments::{hauled, leading, led};
 use crate::luffing::led::path::{LedBars, LedRope, Reeved};
 use crate::luffing::led::pull::LedPull;
 use crate::luffing::led::symbols as w;
@@ -108,7 +108,7 @@ composed! {
         leads: LedBars<C> = leads(position, travel, phi) => _;
         beginning: LedBars<C> = beginning(tail, choice) => _;
         ..leading(omega);
-        pulled: LedPull<C> = pulled(reeved, load[!], leads, stretched);
+        ..hauled();
         hanging: TrunkLoad<C> = hanging(position, travel, pole, load[!], led[?], pulled[?]);
         own: TrunkWeight<C> = TrunkWeight::new(weights[!], phi, position, travel);
         balancing: Balancing<C> = balancing(tail, choice, weights[!], balance[!]) => _;

@@ -8,10 +8,13 @@ use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 use crate::luffing::double_link::driving;
 use crate::luffing::double_link::geometry::Geometry;
+use crate::luffing::double_link::leading::leads;
 use crate::luffing::double_link::parameters::Driven;
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::scene::Luffing;
 use crate::luffing::double_link::symbols as s;
+use crate::luffing::double_link::velocity::Velocity;
+use crate::luffing::led::drawing::rope;
 use crate::parts::plane::Point;
 
 /// At the ends of the working range (faint) and where it is told of, with the path of the head.
@@ -20,7 +23,7 @@ pub fn drawing(g: &Geometry<f64>, luffing: &Luffing, told: f64) -> Drawing {
     if luffing.is_plain() {
         return boom(g, luffing, told);
     }
-    let motion = &luffing.motion;
+    let (motion, led) = (&luffing.motion, luffing.led.reeved());
     let mut draw = Draw::default();
     draw.path(fine(motion).filter_map(|theta| Position::new(g, theta)).map(|p| p.a));
     let (o1, o3, axis) = (Point::zeros(), g.lengths.o3(), Point::new(-g.lengths.x_8, 0.0));
@@ -29,6 +32,9 @@ pub fn drawing(g: &Geometry<f64>, luffing: &Luffing, told: f64) -> Drawing {
         draw.bar(&[o1, p.b], faint);
         draw.bar(&[o3, p.c], faint);
         draw.body(&[p.c, p.b, p.a], faint);
+        if let Some(led) = &led {
+            rope(&mut draw, led, &leads(g, &p, &Velocity::new(&p)), faint);
+        }
         for joint in [p.b, p.c, p.a] {
             draw.pin(joint, false, faint);
         }

@@ -34,6 +34,7 @@ pub fn leads<C: Calc>(g: &Geometry<C>, p: &Position<C>, v: &Velocity<C>) -> LedB
         moves: [(still, i_1), (b, v.i_2), (still, i_3)],
         head: p.a,
         travel: v.da,
+        carries: JIB,
     }
 }
 
@@ -49,16 +50,11 @@ pub fn beginning<C: Calc>(g: &Geometry<C>, choice: &Choice) -> Found<LedBars<C>>
     found.ok_or_else(absent)
 }
 
-/// What the rope does to boom, jib and rocker, under the load (N).
-pub fn pulled<C: Calc>(reeved: &Reeved<C>, q: &C, bars: &LedBars<C>, stretched: &[Stretch<C>]) -> LedPull<C> {
-    LedPull::new(reeved, q, bars, stretched, JIB)
-}
-
 /// The same at a position; `None` where a rope has no line to run along.
 pub fn hauled<C: Calc>(g: &Geometry<C>, led: &Reeved<C>, p: &Position<C>, q: C) -> Option<LedPull<C>> {
     let (bars, mut room) = (leads(g, p, &Velocity::new(p)), Vec::new());
     Stretch::all(led, &bars, &mut room).ok()?;
-    Some(pulled(led, &q, &bars, &room))
+    Some(LedPull::new(led, &q, &bars, &room))
 }
 
 /// Height of the load at a position but for a constant, in m; `None` where a rope has no line to run along.

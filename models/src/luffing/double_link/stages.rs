@@ -29,7 +29,7 @@ use crate::luffing::double_link::feet::Feet;
 use crate::luffing::double_link::forces_in_motion::RESULTS;
 use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::held::{Carried, Held, Passes};
-use crate::luffing::double_link::leading::{beginning, leads, pulled};
+use crate::luffing::double_link::leading::{beginning, leads};
 use crate::luffing::double_link::linkage::HeavyLinkage;
 use crate::luffing::double_link::moving::built::{CraneParts, Inertias};
 use crate::luffing::double_link::moving::motion::{self, CraneForces, LinkRates, RATES};
@@ -43,9 +43,8 @@ use crate::luffing::double_link::statics::{LoadMoment, Own, by_pole};
 use crate::luffing::double_link::symbols as g;
 use crate::luffing::double_link::unbalanced::{Unbalanced, UnbalancedCase};
 use crate::luffing::double_link::velocity::Velocity;
-use crate::luffing::led::fragments::{leading, led};
+use crate::luffing::led::fragments::{hauled, leading, led};
 use crate::luffing::led::path::{LedBars, Reeved};
-use crate::luffing::led::pull::LedPull;
 use crate::luffing::led::symbols as w;
 use crate::luffing::moving::control::acting;
 use crate::luffing::moving::fragments::{
@@ -116,7 +115,7 @@ composed! {
         leads: LedBars<C> = leads(geometry, position, velocity) => _;
         beginning: LedBars<C> = beginning(geometry, choice) => _;
         ..leading(omega);
-        pulled: LedPull<C> = pulled(reeved, load[!], leads, stretched);
+        ..hauled();
         load_moment: LoadMoment<C> = LoadMoment::new(velocity, led[?], load[!]);
         by_pole: C = by_pole(pole, geometry, position, velocity, load[!], pulled[?]) => M_Q_P;
         own: Own<C> = Own::new(position, velocity, lengths, weights[!]);

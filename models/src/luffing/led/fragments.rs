@@ -27,3 +27,14 @@ macro_rules! leading {
     };
 }
 pub(crate) use leading;
+
+/// The stage of what it does to these bars.
+macro_rules! hauled {
+    (() $($to:tt)*) => {
+        $crate::component::fragments::composed! { @with {
+            pulled: $crate::luffing::led::pull::LedPull<C> =
+                $crate::luffing::led::pull::LedPull::new(reeved, load[!], leads, stretched);
+        } $($to)* }
+    };
+}
+pub(crate) use hauled;

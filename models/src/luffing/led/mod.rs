@@ -7,6 +7,7 @@
 //! | `led.rope` | [`path::LedStart::new`], [`path::LedRope::new`] | Ports001, 5.9.2.4 |
 //! | `led.pull` | [`pull::LedPull::new`] | Ports001, 5.9.2.4, by equilibrium |
 
+pub mod drawing;
 pub mod fragments;
 pub mod outline;
 pub mod path;

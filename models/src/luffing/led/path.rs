@@ -78,9 +78,9 @@ impl<C: Calc> Reeved<C> {
         each.map(|((number, sheave), on)| (number, sheave, on)).take(self.count)
     }
 
-    /// What each sheave is on.
-    pub fn on(&self) -> &[usize] {
-        &self.leading.0[..self.count]
+    /// Whether each sheave is on the frame.
+    pub fn fixed(&self) -> impl Iterator<Item = bool> {
+        self.each().map(|(_, _, on)| on >= BARS)
     }
 
     /// What the rope runs over, in the order in which it runs from the head.
@@ -88,11 +88,11 @@ impl<C: Calc> Reeved<C> {
     /// # Errors
     /// A sheave where the rope comes from.
     fn run(&self, bars: &LedBars<C>, mut each: impl FnMut(Stretch<C>)) -> Found<()> {
-        let mut from = [bars.head, bars.travel];
+        let (mut from, mut carried) = ([bars.head, bars.travel], bars.carries);
         for (number, sheave, on) in self.each() {
             let to = bars.sheave(on, sheave, number);
-            each(Stretch::new(from, to, number)?);
-            from = to;
+            each(Stretch::new([from, to], [carried, on], number)?);
+            (from, carried) = (to, on);
         }
         Ok(())
     }
@@ -130,6 +130,8 @@ pub struct LedBars<C> {
     pub moves: [(Point<C>, C); BARS],
     pub head: Point<C>,
     pub travel: Point<C>,
+    /// The bar that carries it.
+    pub carries: usize,
 }
 
 impl<C: Calc> LedBars<C> {
@@ -154,22 +156,23 @@ impl<C: Calc> LedBars<C> {
 /// The rope before a sheave, from the sheave before or the head.
 #[derive(Clone, Copy, Debug)]
 pub struct Stretch<C> {
-    /// The sheave and its travel, in m.
-    to: [Point<C>; 2],
-    /// Unit vector from where the rope comes from.
+    /// Its ends, the one towards the head first, and what each of these is on.
+    pub ends: [Point<C>; 2],
+    pub on: [usize; 2],
+    /// Unit vector from the first to the second.
     pub along: Point<C>,
     length: C,
     /// Change of its length for one radian of the luffing angle, in m.
     change: C,
 }
-results! { each Stretch as p => { S_RX: p.to[0].x; S_RY: p.to[0].y; L_RI: p.length; } }
+results! { each Stretch as p => { S_RX: p.ends[1].x; S_RY: p.ends[1].y; L_RI: p.length; } }
 
 impl<C: Calc> Stretch<C> {
-    /// l_r = |S_i − S_(i−1)|, l′_r = (v_i − v_(i−1)) · (S_i − S_(i−1)) / l_r. (derived)
+    /// l_r = |S_i − S_(i−1)|, l′_r = (S′_i − S′_(i−1)) · (S_i − S_(i−1)) / l_r, nothing of two on one bar. (derived)
     ///
     /// # Errors
     /// A sheave where the rope comes from.
-    fn new(from: [Point<C>; 2], to: [Point<C>; 2], number: u16) -> Found<Stretch<C>> {
+    fn new([from, to]: [[Point<C>; 2]; 2], on: [usize; 2], number: u16) -> Found<Stretch<C>> {
         let line = to[0] - from[0];
         let length = plane::length(line).def_of(&s::L_RI, number);
         let reach = |point: Point<C>| point.x.value().abs() + point.y.value().abs();
@@ -179,17 +182,23 @@ impl<C: Calc> Stretch<C> {
             ))));
         }
         let along = line / length;
+        let along = Point::new(along.x.def_of(&s::E_RX, number), along.y.def_of(&s::E_RY, number));
+        let change = match on[0] == on[1] {
+            true => C::constant(0.0),
+            false => dot(to[1] - from[1], along).def_of(&s::DL_RI, number),
+        };
         Ok(Stretch {
-            to,
+            ends: [from[0], to[0]],
+            on,
             along,
             length,
-            change: dot(to[1] - from[1], along).def_of(&s::DL_RI, number),
+            change,
         })
     }
 
     /// Its sheave, in m.
     pub fn place(&self) -> Point<C> {
-        self.to[0]
+        self.ends[1]
     }
 
     /// All of them, in the order in which the rope runs from the head.

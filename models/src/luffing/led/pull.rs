@@ -55,9 +55,9 @@ const NAMES: [[&Symbol; 3]; BARS] = [
 ];
 
 impl<C: Calc> LedPull<C> {
-    /// S_h = Q / m_h, the same in the whole rope: without losses a sheave is pulled both ways by it, and the head, which the
-    /// bar with this number carries, towards the first one.
-    pub fn new(reeved: &Reeved<C>, q: &C, bars: &LedBars<C>, stretched: &[Stretch<C>], head: usize) -> LedPull<C> {
+    /// S_h = Q / m_h, the same in the whole rope: without losses a sheave is pulled both ways by it, and the head towards
+    /// the first one.
+    pub fn new(reeved: &Reeved<C>, q: &C, bars: &LedBars<C>, stretched: &[Stretch<C>]) -> LedPull<C> {
         let zero = C::constant(0.0);
         let mut each = [Hauled {
             force: Point::new(zero, zero),
@@ -69,11 +69,10 @@ impl<C: Calc> LedPull<C> {
                 bar.moment += cross(at - bars.at[on][0], force);
             }
         };
-        let mut from = (head, bars.head);
-        for (stretch, &on) in stretched.iter().zip(reeved.on()) {
-            pulled(from.0, from.1, stretch.along);
-            pulled(on, stretch.place(), -stretch.along);
-            from = (on, stretch.place());
+        // What pulls two points of one bar together does nothing to it.
+        for Stretch { ends, on, along, .. } in stretched.iter().filter(|stretch| stretch.on[0] != stretch.on[1]) {
+            pulled(on[0], ends[0], *along);
+            pulled(on[1], ends[1], -*along);
         }
         let s_h = (*q / reeved.falls.m_h).def(&s::S_H);
         let mut on = each.map(|bar| bar.under(s_h));
