@@ -17,6 +17,7 @@ use toml::Table;
 use crate::cases::cases;
 use crate::control::{Axis, HOIST, LUFFING, SLEWING, controlled, cycle};
 use crate::hung;
+use crate::led::led;
 use crate::scene::{Draw, Node};
 
 /// A result that every level has.
@@ -215,6 +216,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     }
     let (linkage, range) = built(&mut n);
     working_range(&mut n, range);
+    rope_over_sheaves(&mut n, &linkage, moves);
     if let Some(mut balance) = n.child("balance") {
         balance.keep(
             "s_5",
@@ -238,6 +240,18 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     synthesis(&mut n);
     cases(&mut n, &PARTS);
     table
+}
+
+/// Sheaves at the boom's head, and at the rocker's where the jib's head is far from that.
+fn rope_over_sheaves(n: &mut Node, linkage: &Linkage, moves: bool) {
+    let ([x_1, x_2, x_3], x_4) = (linkage.bars, n.get("X_4"));
+    let apart = (x_4 - x_2).abs();
+    let bars = [
+        ("boom", x_1, 0.5 * x_4),
+        ("jib", 0.0, 0.5 * x_4),
+        ("rocker", x_3, 0.5 * apart),
+    ];
+    led(n, &bars, x_1 + x_2 + x_3 + x_4 + length(linkage.o3), moves);
 }
 
 /// A linkage that something else carries, with its working range.

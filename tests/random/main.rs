@@ -15,6 +15,7 @@ mod ellipsograph;
 mod fmu;
 mod hopper;
 mod hung;
+mod led;
 mod luffing;
 mod mobile;
 mod portal;
