@@ -78,17 +78,13 @@ impl Led {
             *on = place.filter(|place| known[*place] != FRAME).unwrap_or(BARS);
             led.sheaves.extend(Sheave::read(sheave));
         }
-        let last = tables.last().map(|sheave| sheave.text("on") == Some(FRAME));
-        if last != Some(true) {
-            let (place, what) = match tables.last() {
-                None => (table.place("sheave"), "a led hoist rope without a sheave".to_owned()),
-                Some(sheave) => (
-                    sheave.place("on"),
-                    format!("a hoist rope that ends on the {}", sheave.text("on").unwrap_or("bar")),
-                ),
-            };
+        // Without any the key is missing.
+        if let Some((sheave, on)) = tables.last().and_then(|sheave| Some((sheave, sheave.text("on")?)))
+            && on != FRAME
+        {
+            let what = format!("a hoist rope that ends on the {on}");
             let help = "it runs to its drum from a sheave on the frame: let the last [[luffing.rope.sheave]] be on = \"frame\"";
-            found.push(Diagnostic::new(place, what, "not on the frame").help(help));
+            found.push(sheave.refuse("on", what, "not on the frame", help));
         }
         led
     }
