@@ -1,16 +1,19 @@
 //! Forces of tie, boom, frame and drive while the boom moves: equilibrium of trunk and boom under weight, inertia, rope and
 //! balance. [Newton and Euler]
 
-use crate::component::stages::{absent, results};
+use crate::component::stages::{Found, absent, results};
 use crate::drive::hauling::Pushes;
 use crate::drive::line::Drive;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 use crate::luffing::curved_trunk::contact::Contact;
+use crate::luffing::curved_trunk::leading::TRUNK;
 use crate::luffing::curved_trunk::moving::{TrunkBodies, TrunkCentres, Trunked};
 use crate::luffing::curved_trunk::pins::{line_load, over_width};
 use crate::luffing::curved_trunk::position::TrunkPosition;
 use crate::luffing::curved_trunk::velocity::{TrunkBend, TrunkTravel};
+use crate::luffing::led::path::LedBars;
+use crate::luffing::led::pull::{self, Hauled, named};
 use crate::luffing::moving::inertia_forces::PosedBody;
 use crate::luffing::moving::reduced::Renewed;
 use crate::luffing::moving::single::{Acting, Heavy};
@@ -20,6 +23,7 @@ use crate::parts::plane::{self, Point, cross};
 mod s {
     pub use crate::drive::symbols::F_D;
     pub use crate::luffing::curved_trunk::symbols::*;
+    pub use crate::luffing::led::symbols::{F_R1X, F_R1Y, F_R2X, F_R2Y, M_R1, M_R2, S_H};
     pub use crate::luffing::moving::symbols::{F_IBX, F_IBY, M_T};
 }
 
@@ -38,6 +42,8 @@ pub struct TrunkForces<C> {
     foot: Point<C>,
     /// Moment for the boom's angle that equilibrium asks for, and the forces of which it is, on their arms.
     asked: C,
+    /// Pull of a led hoist rope, and what it does to boom and trunk.
+    rope: Option<(C, [Hauled<C>; 3])>,
     levers: [[Point<C>; 2]; 3],
     acting: Acting<C>,
     /// Of the drive on the boom, push positive, where there is one.
@@ -54,6 +60,13 @@ results! { TrunkForces as f => {
     F_O1Y: f.foot.y;
     F_D: f.f_d.ok_or_else(absent)?;
     Z_TIE: f.n_t;
+    S_H: f.led()?[0];
+    F_R1X: f.led()?[1];
+    F_R1Y: f.led()?[2];
+    M_R1: f.led()?[3];
+    F_R2X: f.led()?[4];
+    F_R2Y: f.led()?[5];
+    M_R2: f.led()?[6];
 } }
 
 impl<C: Copy> Pushes<C> for TrunkForces<C> {
@@ -97,16 +110,30 @@ impl<C: Calc> TrunkForces<C> {
             Some(pull) => (f_t + pull, about_b - cross(position.front, pull)),
             None => (f_t, about_b),
         };
+        let zero = C::constant(0.0);
+        let rope = bodies.reeved.as_ref().and_then(|led| {
+            let at_trunk = [position.b, position.along];
+            let bars = [[Point::new(zero, zero), Point::new(cos, sin)], at_trunk, at_trunk];
+            let each = led.hauled(&LedBars::still(bars, (TRUNK, position.a)))?;
+            let s_h = (at.tension.unwrap_or(zero) / led.falls.m_h).def(&s::S_H);
+            Some((s_h, named(each.map(|bar| bar.under(s_h)))))
+        });
+        let (on_boom, on_trunk, about_b) = match rope {
+            Some((_, [boom, trunk, _])) => (boom, on_trunk + trunk.force, about_b - trunk.moment),
+            None => (Hauled::nothing()[0], on_trunk, about_b),
+        };
         let n_t = (about_b.def(&s::M_TB) / position.h_t).def(&s::N_T);
         let head = plane::def(-(on_trunk + position.tie * n_t), [&s::F_BX, &s::F_BY]);
         let f_b = boom.force(at, gravity, [&s::F_IBX, &s::F_IBY]);
         let asked = boom.moment(at, f_b).def(&s::M_BO) + cross(position.b, head);
+        let asked = asked - on_boom.moment;
         let asked = acting.balance.map_or(asked, |balance| asked - balance.moment);
         let m_d = at.shares.drive.def(&s::M_D);
         let f_d = drive.map(|drive| drive.force(m_d, &s::F_D));
         let foot = acting
             .balance
-            .map_or(head - f_b, |balance| head - f_b - balance.on_boom);
+            .map_or(head - f_b, |balance| head - f_b - balance.on_boom)
+            - on_boom.force;
         let push = drive.zip(f_d).and_then(|(drive, f_d)| drive.along(f_d));
         let foot = push.map_or(foot, |push| foot - push);
         TrunkForces {
@@ -117,10 +144,20 @@ impl<C: Calc> TrunkForces<C> {
             head,
             foot: plane::def(foot, [&s::F_O1X, &s::F_O1Y]),
             asked: asked.def(&s::M_T),
+            rope,
             levers: [[position.b, head], [s[0], f_b], [m[0], f_t]],
             acting: *acting,
             f_d,
         }
+    }
+
+    /// As [`pull::RESULTS`].
+    ///
+    /// # Errors
+    /// Without a led rope.
+    fn led(&self) -> Found<[C; pull::RESULTS.len()]> {
+        let (s_h, on) = self.rope.as_ref().ok_or_else(absent)?;
+        Ok(pull::results(*s_h, on))
     }
 
     /// As [`Acting::apart`].

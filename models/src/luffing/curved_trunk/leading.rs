@@ -12,7 +12,7 @@ use crate::luffing::led::pull::Hauled;
 use crate::parts::plane::{self, Point};
 
 /// The bar that carries the head.
-const TRUNK: usize = 1;
+pub const TRUNK: usize = 1;
 
 /// Boom and trunk at the boom's angle (rad), and the trunk's head.
 pub fn leads<C: Calc>(position: &TrunkPosition<C>, travel: &TrunkTravel<C>, phi: &C) -> LedBars<C> {

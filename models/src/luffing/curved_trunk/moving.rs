@@ -5,12 +5,15 @@ use crate::kernel::group::quantities;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::luffing::curved_trunk::balancing::UnderTrunk;
 use crate::luffing::curved_trunk::contact::Contact;
+use crate::luffing::curved_trunk::leading::TRUNK;
 use crate::luffing::curved_trunk::position::TrunkPosition;
 use crate::luffing::curved_trunk::statics::TrunkWeights;
 use crate::luffing::curved_trunk::symbols as s;
 use crate::luffing::curved_trunk::tail::{TrunkChoice, TrunkTail};
 use crate::luffing::curved_trunk::velocity::{TrunkBend, TrunkTravel};
-use crate::luffing::moving::bodies::{Asked, Body, MovedBody, Moves};
+use crate::luffing::led::moving::LedMoves;
+use crate::luffing::led::path::Reeved;
+use crate::luffing::moving::bodies::{Asked, Body, MovedBody, Moves, hung};
 use crate::luffing::moving::reduced::{CoordinateNames, Reduced};
 use crate::luffing::moving::single::SingleBoom;
 use crate::luffing::moving::symbols::{self as m, OfSums};
@@ -44,6 +47,7 @@ pub struct TrunkParts<C> {
     pub weights: TrunkWeights<C>,
     pub inertias: TrunkInertias<C>,
     pub choice: TrunkChoice,
+    pub reeved: Option<Reeved<C>>,
 }
 
 impl<C: Calc> TrunkParts<C> {
@@ -52,12 +56,14 @@ impl<C: Calc> TrunkParts<C> {
         weights: &TrunkWeights<C>,
         inertias: &TrunkInertias<C>,
         choice: &TrunkChoice,
+        reeved: Option<&Reeved<C>>,
     ) -> TrunkParts<C> {
         TrunkParts {
             tail: *tail,
             weights: *weights,
             inertias: *inertias,
             choice: choice.clone(),
+            reeved: reeved.copied(),
         }
     }
 }
@@ -69,6 +75,9 @@ pub struct TrunkBodies<P> {
     choice: TrunkChoice,
     /// Of boom, from its foot, and trunk, from B.
     pub bodies: [Body<P>; 2],
+    /// A led hoist rope, and the mass of a load on it that does not swing, in kg.
+    pub reeved: Option<Reeved<P>>,
+    load: Option<P>,
 }
 
 /// Centres of gravity of boom, from its foot, and trunk, from B, in m; and what they move by for one radian of the boom's
@@ -103,6 +112,44 @@ impl<C: Calc> TrunkCentres<C> {
 #[derive(Clone, Copy, Debug)]
 pub struct Trunked;
 
+impl<P: Calc> TrunkBodies<P> {
+    fn placed<C: Over<P>>(&self, phi: C) -> Option<(Contact<C>, TrunkPosition<C>, TrunkTravel<C>)> {
+        let tail = self.tail.map(C::of);
+        let contact = Contact::new(&tail, &self.choice, &phi).ok()?;
+        let position = TrunkPosition::new(&tail, &contact);
+        let travel = TrunkTravel::new(&position);
+        Some((contact, position, travel))
+    }
+
+    fn head<C: Calc>(&self, (position, travel, bend): Placed<C>) -> [Point<C>; 3] {
+        let dd_a = bend.of_point(position, travel, position.front);
+        [position.a, travel.a, plane::def(dd_a, [&m::DDA_X, &m::DDA_Y])]
+    }
+
+    /// What its hoist rope does, over sheaves on boom, which turns about its foot, and trunk.
+    fn led<C: Over<P>>(&self, phi: C, (position, travel, bend): Placed<C>, head: [Point<C>; 3]) -> Option<LedMoves<C>> {
+        let (sin, cos) = phi.sin_cos();
+        let point = |bar: usize, at: Point<P>| {
+            let (x, y) = (C::of(at.x), C::of(at.y));
+            if bar == TRUNK {
+                let from = plane::turned(position.along, x, y);
+                let place = position.b + from;
+                return [
+                    place,
+                    travel.of_point(position, from),
+                    bend.of_point(position, travel, from),
+                ];
+            }
+            let place = plane::turned(Point::new(cos, sin), x, y);
+            [place, Point::new(-place.y, place.x), -place]
+        };
+        self.reeved.as_ref()?.moves((TRUNK, head), point)
+    }
+}
+
+/// Boom and trunk at one angle, and how they move.
+type Placed<'a, C> = (&'a TrunkPosition<C>, &'a TrunkTravel<C>, &'a TrunkBend<C>);
+
 impl SingleBoom for Trunked {
     type Own<C: Calc> = TrunkParts<C>;
     type Stands = UnderTrunk;
@@ -126,7 +173,7 @@ impl SingleBoom for Trunked {
         let (w, inertias) = (&own.weights, &own.inertias);
         let boom = Body::along_bar(w.g_b, gravity, inertias.j_b, [w.r_b, w.chi_b]);
         let mut trunk = Body::along_bar(w.g_t, gravity, inertias.j_t, [w.r_t, w.chi_t]);
-        if let Some(load) = fixed {
+        if let Some(load) = fixed.filter(|_| own.reeved.is_none()) {
             let head = Point::new(own.tail.trunk.a, P::constant(0.0));
             trunk = trunk.with_mass(load.def(&m::MASS_Q), head);
             trunk.inertia = trunk.inertia.def(&s::J_TQ);
@@ -135,7 +182,18 @@ impl SingleBoom for Trunked {
             tail: own.tail,
             choice: own.choice.clone(),
             bodies: [boom, trunk],
+            reeved: own.reeved,
+            load: fixed.filter(|_| own.reeved.is_some()),
         }
+    }
+
+    fn load<P: Over<P>>(of: &TrunkBodies<P>, phi: P) -> Option<(P, [Point<P>; 3])> {
+        let mass = of.load?;
+        let (contact, position, travel) = of.placed(phi)?;
+        let bend = TrunkBend::new(&contact, &position, &travel);
+        let head = of.head((&position, &travel, &bend));
+        let LedMoves { raised, lead } = of.led(phi, (&position, &travel, &bend), head)?;
+        Some((mass.def(&m::MASS_Q), hung(head, raised, lead)))
     }
 
     /// `None` where the tie does not reach from tail to frame.
@@ -145,15 +203,21 @@ impl SingleBoom for Trunked {
         phi: C,
         counterweight: Option<Weight<C>>,
     ) -> Option<Reduced<C>> {
-        let (zero, tail) = (C::constant(0.0), of.tail.map(C::of));
-        let contact = Contact::new(&tail, &of.choice, &phi).ok()?;
-        let position = TrunkPosition::new(&tail, &contact);
-        let travel = TrunkTravel::new(&position);
+        let zero = C::constant(0.0);
+        let (contact, position, travel) = of.placed(phi)?;
         let bend = TrunkBend::new(&contact, &position, &travel);
         let centres = of.bodies.map(|body| body.centre.map(C::of));
         let TrunkCentres { boom, trunk } = TrunkCentres::new(centres, (phi, &position), (&travel, &bend));
         let place = [position.b + trunk[0], trunk[1], trunk[2]];
-        let dd_a = bend.of_point(&position, &travel, position.front);
+        let head = of.head((&position, &travel, &bend));
+        let led = match of.reeved {
+            Some(_) => Some(of.led(phi, (&position, &travel, &bend), head)?),
+            None => None,
+        };
+        let load = of
+            .load
+            .zip(led)
+            .map(|(mass, led)| (C::of(mass), hung(head, led.raised, led.lead)));
         let moves = Moves::in_plane(
             [
                 MovedBody {
@@ -166,15 +230,17 @@ impl SingleBoom for Trunked {
                 },
             ],
             counterweight,
-            [position.a, travel.a, plane::def(dd_a, [&m::DDA_X, &m::DDA_Y])],
-            None,
+            head,
+            led.filter(|_| load.is_none()).map(|led| led.lead),
         );
         let (sin, cos) = phi.sin_cos();
         let bars = [
             [Point::new(cos, sin), Point::new(-sin, cos)],
             [position.along, plane::turned(position.along, zero, travel.i_2)],
         ];
-        let moves = moves.turning((gravity, asked), of.bodies.each_ref(), bars.map(Some));
+        let moves = moves
+            .hanging(load)
+            .turning((gravity, asked), of.bodies.each_ref(), bars.map(Some));
         Some(Reduced::of(of.bodies.each_ref(), OF_BODY.each_ref(), gravity, moves))
     }
 }

@@ -201,7 +201,7 @@ impl Described for CurvedTrunk {
             outlasts(v, moving, &range, [listed!(s: B, A, X_8), listed!(s: G_B, G_T)], found);
         }
         let cases = Cases::read(v, &resisting::PARTS, balance.as_ref(), gravity, found);
-        let led = Led::read(v, resisting::PARTS.bodies, moving.is_some(), found);
+        let led = Led::read(v, resisting::PARTS.bodies, moving.as_ref(), found);
         let given = at_rest! { (cases, driving) without [motor];
             phi: One(&b::PHI, range.from),
             omega: One(&s::OMEGA, range.speed),
@@ -321,18 +321,15 @@ impl Described for CurvedTrunk {
             return [level, rope].into_iter().chain(forces).collect();
         };
         let level = moving.rope.map_or("level_rigid", |_| "level_swing");
+        let led = this.led.assumed(moving);
+        let (load, rope) = led.map_or(("trunk_load", vec!["trunk_rope"]), |rope| ("rope_load", rope));
         let balance = this.given.balance.map(|_| "counterweight");
         [level, "trunk_masses", "trunk_taut"]
             .into_iter()
             .chain(balance)
-            .chain(moving.taken("trunk_load"))
-            .chain([
-                "trunk_rope",
-                "sticking",
-                "stops",
-                "forces_in_motion",
-                "solver_runge_kutta",
-            ])
+            .chain(moving.taken(load))
+            .chain(rope)
+            .chain(["sticking", "stops", "forces_in_motion", "solver_runge_kutta"])
             .collect()
     }
 

@@ -15,6 +15,7 @@ use crate::luffing::moving::told::shown::{Apart, OwnPart, Shown, ShownBar};
 mod s {
     pub use crate::drive::symbols::F_D;
     pub use crate::luffing::curved_trunk::symbols::*;
+    pub use crate::luffing::led::symbols::{F_R1X, F_R1Y, F_R2X, F_R2Y, M_R1, M_R2, S_H};
 }
 
 impl Shown for CurvedTrunk {
@@ -40,7 +41,7 @@ impl Shown for CurvedTrunk {
             "motion_forces",
             "trunk_dynamic",
             listed! { s:
-                F_ITX, F_ITY, M_TB, N_T, Q_T, F_BX, F_BY, M_BO, M_D, P_D, F_D, F_O1X, F_O1Y
+                S_H, F_R1X, F_R1Y, M_R1, F_R2X, F_R2Y, M_R2, F_ITX, F_ITY, M_TB, N_T, Q_T, F_BX, F_BY, M_BO, M_D, P_D, F_D, F_O1X, F_O1Y
             },
         ),
     ];

@@ -38,6 +38,7 @@ use crate::luffing::curved_trunk::velocity::{TrunkSpeeds, TrunkTravel, pole};
 use crate::luffing::led::fragments::{hauled, leading, led};
 use crate::luffing::led::path::{LedBars, LedRope, Reeved};
 use crate::luffing::led::pull::LedPull;
+use crate::luffing::led::pull::RESULTS as LED;
 use crate::luffing::led::symbols as w;
 use crate::luffing::moving::balance_in_motion::BalanceInMotion;
 use crate::luffing::moving::built::HoistParts;
@@ -65,7 +66,7 @@ mod s {
     pub use crate::balance::symbols::{F_KX, F_KY, F_MX, F_MY, N_1};
     pub use crate::drive::symbols::{F_D, L_D, Q_D, S_LM, S_LM_IN, S_LM_OUT, T_CR, V_D};
     pub use crate::luffing::curved_trunk::symbols::*;
-    pub use crate::luffing::led::symbols::V_Q;
+    pub use crate::luffing::led::symbols::{F_R1X, F_R1Y, F_R2X, F_R2Y, M_R1, M_R2, S_H, V_Q};
     pub use crate::luffing::moving::symbols::{F_AIR, H_G, M_R, M_R_H, N_G, P_AIR, S_R, W_BLOW};
     pub use crate::luffing::resistances::symbols::F_R;
     pub use crate::luffing::strength::symbols::{P_C, U_K};
@@ -127,7 +128,7 @@ composed! {
         ..resisted(phi, drive, position, drive, residual[?], pulled[?]);
         ..strong();
         ..sheared();
-        trunked: TrunkParts<C> = TrunkParts::new(tail, weights[!], inertias[!], choice) => _;
+        trunked: TrunkParts<C> = TrunkParts::new(tail, weights[!], inertias[!], choice, reeved[?]) => _;
         hoist: HoistParts<C> = HoistParts::new(ramp, motor, give) => _;
         ..single_boom(Trunked, trunked);
         ..geared(way);
@@ -157,7 +158,9 @@ resists!(CurvedTrunkBoom with resisting::PARTS);
 said! { CurvedTrunkBoom: Said {
     bar: [&[&b::PHI, &s::OMEGA], &rates_after::<30>(Trunked::RATES)],
     still: &[t::ALL, w::ALL, b::ALL, crate::drive::symbols::ALL],
-    moving: listed!(s: M_D, P_D, N_T, Q_T, P_T, F_BX, F_BY, F_O1X, F_O1Y, F_D, N_1, F_KX, F_KY, F_MX, F_MY, S_LM, S_LM_OUT, S_LM_IN),
+    moving: listed!(s: M_D, P_D, N_T, Q_T, P_T, F_BX, F_BY, F_O1X, F_O1Y, F_D, N_1, F_KX, F_KY, F_MX, F_MY, S_LM, S_LM_OUT, S_LM_IN,
+        S_H, F_R1X, F_R1Y, M_R1, F_R2X, F_R2Y, M_R2
+    ),
     drive: Some(&s::M_D),
     remarks: &[],
 } }
@@ -188,7 +191,10 @@ impl Component for CurvedTrunkBoom {
 
     /// A balance has what its kind has, and so has a drive.
     fn has(given: &Given<f64>, symbol: &'static Symbol) -> bool {
+        let third = [&w::F_R3X, &w::F_R3Y, &w::M_R3];
         (symbol != &b::F_D_0 || given.mount.is_some())
+            && (given.rope.is_some() || !LED.contains(&symbol))
+            && !third.contains(&symbol)
             && given.balance.as_ref().is_none_or(|form| form.has(symbol))
             && line::has(given.mount.as_ref(), given.rod.is_some(), given.gear.as_ref(), symbol)
             && fittings(given).is_none_or(|crane| crane.has(symbol))

@@ -118,6 +118,7 @@ impl LinkAboard {
             jib,
             rocker,
             pendulum: None,
+            load: None,
             gravity,
         };
         let linkage = HeavyLinkage::new(&geometry, bodies)

@@ -4,6 +4,7 @@
 //! In the plane of the mechanism, also where it slews: what acts across that plane is not told.
 
 use crate::balance::symbols as b;
+use crate::component::outline::joined;
 use crate::drive::hauling::Pushes;
 use crate::drive::line::force;
 use crate::kernel::calc::Calc;
@@ -13,8 +14,10 @@ use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::pins_in_motion::PinsInMotion;
 use crate::luffing::double_link::pose::{PosedLinkage, Posing};
 use crate::luffing::double_link::symbols as g;
+use crate::luffing::led::pull;
 use crate::luffing::moving::balance_in_motion::BalanceInMotion;
 use crate::luffing::moving::dynamics::Coordinate;
+use crate::luffing::moving::inertia_forces::hanging;
 use crate::luffing::moving::level::{CraneAt, Level};
 use crate::luffing::moving::shares::Instant;
 use crate::parts::plane::Point;
@@ -31,7 +34,9 @@ pub struct ForcesInMotion<C> {
 }
 
 /// Results in motion in the place of those at rest, and those that only motion has.
-pub const RESULTS: [&Symbol; 21] = [
+pub const RESULTS: [&Symbol; 31] = joined(OWN, pull::RESULTS);
+
+const OWN: [&Symbol; 21] = [
     &g::F_BX,
     &g::F_BY,
     &g::F_CX,
@@ -67,6 +72,14 @@ impl<C: Posing<C> + Coordinate<C>> ForcesInMotion<C> {
         let pose = C::pose(linkage, at.y[0], level.dynamics().turns())?;
         let arm = pose.drive.map_or(C::constant(0.0), |(_, [_, arm])| arm);
         let instant = level.instant(at, arm)?;
+        let instant = match pose.load.filter(|_| instant.pull.is_none()) {
+            Some((mass, places)) => {
+                let axis = level.dynamics().turns().map(|table| table.axis);
+                let reach = axis.map_or(C::constant(0.0), |axis| places[0].x - axis);
+                hanging(instant, (mass, places), reach, linkage.bodies.gravity)
+            }
+            None => instant,
+        };
         Some(ForcesInMotion::new(&pose, &instant, linkage.bodies.gravity))
     }
 }
@@ -95,6 +108,12 @@ impl<C: Calc> ForcesInMotion<C> {
 
     /// The [results](RESULTS), as far as there are any.
     pub fn results(&self) -> [Option<C>; RESULTS.len()] {
+        let rope = self.pins.as_ref().and_then(|it| it.rope);
+        let rope = rope.map(|(s_h, on)| pull::results(s_h, &on).map(Some));
+        joined(self.own(), rope.unwrap_or_default())
+    }
+
+    fn own(&self) -> [Option<C>; OWN.len()] {
         let parts = |point: Option<Point<C>>| [point.map(|p| p.x), point.map(|p| p.y)];
         let pins = self.pins.as_ref();
         let [b, c] = [parts(pins.map(|it| it.on_jib.b)), parts(pins.map(|it| it.on_jib.c))];

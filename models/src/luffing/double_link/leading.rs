@@ -12,7 +12,7 @@ use crate::luffing::led::pull::LedPull;
 use crate::parts::plane::Point;
 
 /// The bar that carries the head.
-const JIB: usize = 1;
+pub const JIB: usize = 1;
 
 /// First joint of boom, jib and rocker, and the unit vector along each.
 pub fn lines<C: Calc>(g: &Geometry<C>, p: &Position<C>) -> [[Point<C>; 2]; 3] {

@@ -9,11 +9,13 @@ use crate::kernel::calc::{Calc, Over, Takes};
 use crate::luffing::balancing::Balancing;
 use crate::luffing::double_link::balancing;
 use crate::luffing::double_link::geometry::Geometry;
+use crate::luffing::double_link::leading::JIB;
 use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::parameters::{Driven, Parameters, Weights};
 use crate::luffing::double_link::position::Position;
+use crate::luffing::led::path::Reeved;
 use crate::luffing::moving::bodies::{
-    Asked, Bar, Body, MovedBody, Moves, Pendulum, parts, turned_inertia, weighed_forward,
+    Asked, Bar, Body, MovedBody, Moves, Pendulum, hung, parts, turned_inertia, weighed_forward,
 };
 use crate::luffing::moving::reduced::Reduced;
 use crate::parts::motion::Motion as Range;
@@ -26,6 +28,8 @@ pub struct Bodies<P = f64> {
     pub jib: Body<P>,
     pub rocker: Body<P>,
     pub pendulum: Option<Pendulum<P>>,
+    /// Mass of a load on a led rope on which it does not swing, in kg.
+    pub load: Option<P>,
     /// In m/s².
     pub gravity: P,
 }
@@ -93,6 +97,7 @@ pub struct HeavyLinkage<P = f64> {
     /// What its balance is made from, for the book.
     pub(crate) quantities: Option<(Parameters<P>, Range)>,
     pub(crate) push: Option<Push<P>>,
+    pub(crate) led: Option<Reeved<P>>,
     pub(crate) bodies: Bodies<P>,
 }
 
@@ -133,6 +138,7 @@ impl<P: Calc> HeavyLinkage<P> {
             },
             quantities: None,
             push: None,
+            led: None,
             bodies,
         }
     }
@@ -165,6 +171,12 @@ impl<P: Calc> HeavyLinkage<P> {
         self
     }
 
+    /// With a hoist rope that is led over sheaves, where it has one.
+    #[must_use]
+    pub fn with_rope(self, led: Option<Reeved<P>>) -> HeavyLinkage<P> {
+        HeavyLinkage { led, ..self }
+    }
+
     #[must_use]
     pub fn driven(&self) -> Driven {
         self.twice.geometry.driven
@@ -189,14 +201,24 @@ impl<P: Calc> HeavyLinkage<P> {
             mass,
         }) = &positions.counterweight
         {
-            counterweight = Some((*mass, balancing::place(balancing, g, weights, &p, theta)?));
+            counterweight = Some((*mass, parts(balancing::place(balancing, g, weights, &p, theta)?)));
         }
+        let head = parts(p.a);
+        let led = match &self.led {
+            Some(led) => Some(led.moves((JIB, head), |bar, at| bars[bar].point(at.map(T::of)))?),
+            None => None,
+        };
+        let load = self
+            .bodies
+            .load
+            .zip(led)
+            .map(|(mass, led)| (T::of(mass), hung(head, led.raised, led.lead)));
+        let points = || [load, counterweight].into_iter().flatten();
         let turn = asked
             .turntable
             .as_ref()
-            .map_or([zero; 2], |table| turned_inertia(table, bodies, &bars, counterweight));
+            .map_or([zero; 2], |table| turned_inertia(table, bodies, &bars, points()));
         let moved: [MovedBody<T>; 3] = std::array::from_fn(|i| bars[i].moved(bodies[i]));
-        let counterweight = counterweight.map(|(mass, place)| (mass, parts(place)));
         let drive = push.map_or([zero; 2], |push| {
             let [line, d] = push.line(g.driven, &bars);
             let length = plane::length(line);
@@ -208,14 +230,15 @@ impl<P: Calc> HeavyLinkage<P> {
                 let each = bodies.into_iter().zip(&moved);
                 let each = each.map(|(body, moved)| (T::of(body.mass), moved.centre));
                 let of = |(mass, [at, travel, _]): (T, [Point<T>; 3])| [mass * gravity, at.x - axis, travel.x];
-                weighed_forward(each.chain(counterweight).map(of))
+                weighed_forward(each.chain(points()).map(of))
             }),
             bodies: moved,
+            load,
             counterweight,
-            head: parts(p.a),
+            head,
             drive,
             turn,
-            lead: None,
+            lead: led.filter(|_| load.is_none()).map(|led| led.lead),
         })
     }
 

@@ -7,6 +7,8 @@ use crate::luffing::double_link::parameters::Driven;
 use crate::luffing::double_link::pin_forces::{JibLoad, MomentNames, PinForces};
 use crate::luffing::double_link::pose::PosedLinkage;
 use crate::luffing::double_link::symbols as g;
+use crate::luffing::led::pull::{Hauled, named};
+use crate::luffing::led::symbols as w;
 use crate::luffing::moving::balance_in_motion::BalanceInMotion;
 use crate::luffing::moving::inertia_forces::PosedBody;
 use crate::luffing::moving::shares::Instant;
@@ -22,6 +24,8 @@ pub struct PinsInMotion<C> {
     pub o3: Point<C>,
     /// Axial force in the rocker at C, tension positive.
     pub n_3: C,
+    /// Pull of a led hoist rope (N), and what it does to boom, jib and rocker.
+    pub rope: Option<(C, [Hauled<C>; 3])>,
     /// What cancels to the moment on the driving link, in N·m: its length times the force in its pin, or what the boom's
     /// own weight and inertia have about its foot, if that is more; the nearer to a dead point the more of it is lost.
     pub lift: f64,
@@ -60,7 +64,15 @@ impl<C: Calc> PinsInMotion<C> {
             forward: Some(on_jib.x),
             about_b,
         };
-        let on_jib = PinForces::under(p, &jib, [Some(m_1), Some(m_3)], &NAMES);
+        let rope = pose.rope.as_ref().map(|rope| {
+            let s_h = (at.tension.unwrap_or(C::constant(0.0)) / rope.falls).def(&w::S_H);
+            (s_h, named(rope.each.map(|bar| bar.under(s_h))))
+        });
+        let on_jib = match &rope {
+            None => PinForces::under(p, &jib, [Some(m_1), Some(m_3)], &NAMES),
+            Some((_, rope)) => PinForces::led(p, &jib, [Some(m_1), Some(m_3)], rope, &NAMES),
+        };
+        let by_rope = |force: Point<C>, bar: usize| rope.map_or(force, |(_, rope)| force - rope[bar].force);
         // Where no force gives the moment the drive is taken as a mere moment.
         let push = pose.drive.zip(f_d.filter(|f_d| f_d.value().is_finite()));
         let push = push.map(|((line, [length, _]), f_d)| line.map(|x| f_d * x / length));
@@ -69,8 +81,9 @@ impl<C: Calc> PinsInMotion<C> {
             _ => force,
         };
         let o1 = balance.map_or(on_jib.b - f_1, |balance| on_jib.b - f_1 - balance.on_boom);
-        let o1 = plane::def(by_drive(o1, Driven::Boom), [&g::F_O1X, &g::F_O1Y]);
-        let o3 = plane::def(by_drive(on_jib.c - f_3, Driven::Rocker), [&g::F_O3X, &g::F_O3Y]);
+        let o1 = plane::def(by_drive(by_rope(o1, 0), Driven::Boom), [&g::F_O1X, &g::F_O1Y]);
+        let o3 = by_rope(on_jib.c - f_3, 2);
+        let o3 = plane::def(by_drive(o3, Driven::Rocker), [&g::F_O3X, &g::F_O3Y]);
         let n_3 = (-(dot(on_jib.c, p.x_3) / pose.x_3)).def(&g::N_3);
         let (bar, pin) = match p.driven {
             Driven::Boom => (p.x_1, on_jib.b),
@@ -83,6 +96,7 @@ impl<C: Calc> PinsInMotion<C> {
             o1,
             o3,
             n_3,
+            rope,
             lift,
         }
     }

@@ -10,6 +10,7 @@ use crate::kernel::calc::{Calc, Over};
 use crate::kernel::record::Rec;
 use crate::kernel::symbol::Symbol;
 use crate::luffing::double_link::balancing::{self, boom_angle, place};
+use crate::luffing::double_link::leading::JIB;
 use crate::luffing::double_link::linkage::{Bodies, HeavyLinkage, Positions, bars};
 use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::parameters::Driven;
@@ -17,13 +18,18 @@ use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::statics::Centres;
 use crate::luffing::double_link::symbols as g;
 use crate::luffing::double_link::system::height;
+use crate::luffing::led::moving::LedMoves;
+use crate::luffing::led::path::LedBars;
+use crate::luffing::led::pull::Hauled;
+use crate::luffing::led::symbols as w;
 use crate::luffing::moving::balance_in_motion::{PosedCounterweight, named};
 use crate::luffing::moving::bodies::{
-    Asked, Bar, Body, MovedBody, Moves, Turntable, about_axis, changes, deviation, parts, spread, weighed_forward,
+    Asked, Bar, Body, MovedBody, Moves, Turntable, about_axis, changes, deviation, hung, parts, spread, weighed_forward,
 };
 use crate::luffing::moving::dynamics::Dynamics;
 use crate::luffing::moving::inertia_forces::PosedBody;
 use crate::luffing::moving::reduced::{CoordinateNames, Reduced, Reduces};
+use crate::luffing::moving::symbols as m;
 use crate::parts::plane::{self, Point, cross, dot};
 
 /// The mechanism at one angle of the driving link; lengths in m, everything from O1.
@@ -35,8 +41,21 @@ pub struct PosedLinkage<C> {
     /// Boom, jib and rocker.
     pub bodies: [PosedBody<C>; 3],
     pub counterweight: Option<PosedCounterweight<C>>,
+    pub rope: Option<PosedRope<C>>,
+    /// Mass (kg) and place of a load on a led rope on which it does not swing.
+    pub load: Option<(C, [Point<C>; 3])>,
     /// From the anchor on the frame to the one on the driving link, its length, and its lever arm about that bar's foot.
     pub drive: Option<(Point<C>, [C; 2])>,
+}
+
+/// A led hoist rope: what one newton in it does to the bars, the falls of its tackle; the head, and the rope that one radian adds
+/// between head and load, with what that changes by, in m.
+#[derive(Clone, Copy, Debug)]
+pub struct PosedRope<C> {
+    pub each: [Hauled<C>; 3],
+    pub falls: C,
+    head: [Point<C>; 3],
+    lead: [C; 2],
 }
 
 /// A scalar over which the mechanism moves and forces of motion are found, with parameters known as `P`.
@@ -145,7 +164,23 @@ impl<T: Calc + DualNum> PosedLinkage<T> {
             let length = plane::length(line);
             (line, [length, dot(line, arm) / length])
         });
+        let at = bars.each_ref().map(|bar| [bar.joint[0], bar.along[0] / bar.length]);
+        let (mut rope, mut load) = (None, None);
+        if let Some(led) = &d.led {
+            let head = parts(p.a);
+            let LedMoves { raised, lead } = led.moves((JIB, head), |bar, at| bars[bar].point(at.map(T::of)))?;
+            load = d.bodies.load.map(|mass| (T::of(mass), hung(head, raised, lead)));
+            let led = led.map(T::of);
+            rope = Some(PosedRope {
+                each: led.hauled(&LedBars::still(at, (JIB, head[0])))?,
+                falls: led.falls.m_h,
+                head,
+                lead,
+            });
+        }
         Some(PosedLinkage {
+            rope,
+            load,
             position: p.map(|x| x.re),
             x_3: geometry.lengths.x_3.re,
             bodies: [body(0), body(1), body(2)],
@@ -234,8 +269,12 @@ impl Posing<Rec> for Rec {
             let bars = directed(d, &posed.position);
             let each = posed.bodies.iter().zip(bodies).zip(bars);
             let each = each.map(|((it, body), (_, along))| (it.mass, it.reach, Some(spread(body.spread, along))));
+            let load = posed
+                .load
+                .iter()
+                .map(|(mass, [at, ..])| (*mass, at.x - table.axis, None));
             let counterweight = posed.counterweight.iter().map(|it| (it.mass, it.reach, None));
-            let whole = about_axis(table.inertia, each.chain(counterweight));
+            let whole = about_axis(table.inertia, each.chain(load).chain(counterweight));
             let whole = whole.rounded_as(values.turn[0]).def(&s::I_SL);
             [whole, whole.derivative(theta, values.turn[1]).def(&s::DI_SL)]
         });
@@ -253,6 +292,7 @@ impl Posing<Rec> for Rec {
                 .as_ref()
                 .map(|it| (it.mass, [nowhere, it.travel[0], it.travel[1]])),
             head: [posed.position.a, first, second],
+            load: posed.load,
             drive: match posed.drive.filter(|_| asked.drive) {
                 Some((_, sizes)) => sizes,
                 None => [Rec::constant(0.0); 2],
@@ -267,7 +307,7 @@ impl Posing<Rec> for Rec {
                 let counterweight = posed.counterweight.iter();
                 weighed_forward(each.chain(counterweight.map(|it| [it.mass * gravity, it.reach, it.travel[0].x])))
             }),
-            lead: None,
+            lead: posed.rope.filter(|_| posed.load.is_none()).map(|rope| rope.lead),
         };
         Some(d.sum(moves))
     }
@@ -327,7 +367,32 @@ impl Posing<Rec> for Rec {
                 },
             }
         };
+        let mut rope = None;
+        if let Some((led, found)) = d.led.as_ref().zip(values.rope) {
+            let bars = LedBars::still(bars.map(|(joint, along)| [joint, along]), (JIB, position.a));
+            let falls = led.falls.m_h;
+            let change = Rec::given(&w::DL_LED, -(found.lead[0] * falls.value()));
+            let lead = (-(change / falls)).rounded_as(found.lead[0]).def(&m::DL_R);
+            let travel = Point::new(
+                Rec::given(&g::DA_X, found.head[1].x),
+                Rec::given(&g::DA_Y, found.head[1].y),
+            );
+            let bend = Point::new(
+                travel.x.derivative(theta, found.head[2].x),
+                travel.y.derivative(theta, found.head[2].y),
+            );
+            rope = Some(PosedRope {
+                each: led.hauled(&bars)?,
+                falls,
+                head: [position.a, travel, bend],
+                lead: [lead, lead.derivative(theta, found.lead[1]).def(&m::DDL_R)],
+            });
+        }
+        let load = d.bodies.load.zip(rope);
+        let load = load.map(|(mass, rope)| (mass, hung(rope.head, Rec::constant(0.0), rope.lead)));
         Some(PosedLinkage {
+            rope,
+            load,
             position,
             x_3: Rec::given(&g::X_3, values.x_3),
             bodies: [body(0), body(1), body(2)],

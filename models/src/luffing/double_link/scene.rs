@@ -122,7 +122,7 @@ impl LuffingScene {
             let most = [listed!(s: X_1, X_4, X_8), listed!(s: G_1, G_2, G_3)];
             outlasts(v, moving, motion, most.map(|list| &list[..]), found);
         }
-        let led = Led::read(v, resisting::PARTS.bodies, moving.is_some(), found);
+        let led = Led::read(v, resisting::PARTS.bodies, moving.as_deref(), found);
         let moves = moving.as_ref().map(|_| &drive::TURNED_LINE[..]);
         drive::fits(v, driving.gear.as_ref(), (moves, loaded), found);
         let theta = parameters.driven.coordinate();

@@ -291,6 +291,8 @@ impl Described for LuffingScene {
                 .flatten()
                 .collect();
         };
+        let led = this.led.assumed(moving);
+        let (load, led) = led.map_or(("fixed_load", Vec::new()), |led| ("rope_load", led));
         let (oil, rope) = (moving.oil.is_some(), moving.rope.is_some());
         let parts = moving.oil_parts;
         [
@@ -305,7 +307,8 @@ impl Described for LuffingScene {
         ]
         .into_iter()
         .flatten()
-        .chain(moving.taken("fixed_load"))
+        .chain(moving.taken(load))
+        .chain(led)
         .chain(
             [
                 given(oil, "oil"),

@@ -45,6 +45,7 @@ use crate::luffing::double_link::unbalanced::{Unbalanced, UnbalancedCase};
 use crate::luffing::double_link::velocity::Velocity;
 use crate::luffing::led::fragments::{hauled, leading, led};
 use crate::luffing::led::path::{LedBars, Reeved};
+use crate::luffing::led::pull::RESULTS as LED;
 use crate::luffing::led::symbols as w;
 use crate::luffing::moving::control::acting;
 use crate::luffing::moving::fragments::{
@@ -140,7 +141,7 @@ composed! {
         ..sheared();
         parameters: Parameters<C> = parameters(lengths, jib, weights, mount, cylinder, balance, choice) => _;
         parts[constants]: Vec<CraneParts<C>> = motion::parts(
-            parameters, load[!], inertias[!], constants[!], ramp, motor, give, around, ground, slewed, oil, oil_parts, fitted, choice
+            parameters, reeved[?], load[!], inertias[!], constants[!], ramp, motor, give, around, ground, slewed, oil, oil_parts, fitted, choice
         ) => _;
         linkage[constants]: Vec<Renewed<HeavyLinkage<C>>> = motion::linkage(parts) => _;
         ..geared(way);
@@ -171,7 +172,7 @@ resists!(DoubleLink with resisting::PARTS, beside outline::SIDE_BY_SIDE, worked 
 said! { DoubleLink: Said {
     bar: [&[&s::THETA_1, &s::OMEGA_1, &s::THETA_3, &s::OMEGA_3], &RATES],
     still: &[g::ALL, w::ALL, b::ALL, crate::drive::symbols::ALL],
-    moving: &joined::<_, 21, 3, 24>(RESULTS, PULLS),
+    moving: &joined::<_, 31, 3, 34>(RESULTS, PULLS),
     drive: Some(&s::M_D),
     remarks: &[],
 } }
@@ -218,6 +219,7 @@ impl Component for DoubleLink {
             && way::has(given.starting.as_ref(), symbol)
             && (!of_balance.contains(&symbol) || given.balance.is_some())
             && line::has(given.mount.as_ref(), given.rod.is_some(), given.gear.as_ref(), symbol)
+            && (given.rope.is_some() || !LED.contains(&symbol))
             && (symbol != &b::F_D_0 || given.mount.is_some())
             && (symbol != &s::C_G || given.balance.is_some())
     }

@@ -5,10 +5,12 @@
 //! |---|---|---|
 //! | `led.stretch` | [`path::Stretch::all`] | derived |
 //! | `led.rope` | [`path::LedStart::new`], [`path::LedRope::new`] | Ports001, 5.9.2.4 |
+//! | `led.moves` | [`path::Reeved::moves`] | derived |
 //! | `led.pull` | [`pull::LedPull::new`] | Ports001, 5.9.2.4, by equilibrium |
 
 pub mod drawing;
 pub mod fragments;
+pub mod moving;
 pub mod outline;
 pub mod path;
 pub mod pull;

@@ -19,7 +19,7 @@ use crate::parts::plane::{self, Point, dot, turned};
 /// Quantities of the led rope and of the tackle that carries the load.
 mod s {
     pub use crate::luffing::led::symbols::*;
-    pub use crate::luffing::moving::symbols::M_H;
+    pub use crate::luffing::moving::symbols::{DY_Q, M_H};
 }
 
 /// Most sheaves of a led rope.
@@ -73,7 +73,7 @@ impl<C: Calc> Reeved<C> {
     }
 
     /// Its sheaves by their numbers, from 1, and what each is on.
-    fn each(&self) -> impl Iterator<Item = (u16, &Sheave<C>, usize)> {
+    pub(super) fn each(&self) -> impl Iterator<Item = (u16, &Sheave<C>, usize)> {
         let each = (1..).zip(&self.sheaves).zip(self.leading.0);
         each.map(|((number, sheave), on)| (number, sheave, on)).take(self.count)
     }
@@ -87,7 +87,7 @@ impl<C: Calc> Reeved<C> {
     ///
     /// # Errors
     /// A sheave where the rope comes from.
-    fn run(&self, bars: &LedBars<C>, mut each: impl FnMut(Stretch<C>)) -> Found<()> {
+    pub(super) fn run(&self, bars: &LedBars<C>, mut each: impl FnMut(Stretch<C>)) -> Found<()> {
         let (mut from, mut carried) = ([bars.head, bars.travel], bars.carries);
         for (number, sheave, on) in self.each() {
             let to = bars.sheave(on, sheave, number);
@@ -135,6 +135,19 @@ pub struct LedBars<C> {
 }
 
 impl<C: Calc> LedBars<C> {
+    /// At rest, with the head that a bar carries.
+    pub fn still(at: [[Point<C>; 2]; BARS], (carries, head): (usize, Point<C>)) -> LedBars<C> {
+        let zero = C::constant(0.0);
+        let still = Point::new(zero, zero);
+        LedBars {
+            at,
+            moves: [(still, zero); BARS],
+            head,
+            travel: still,
+            carries,
+        }
+    }
+
     /// Place and travel of a sheave.
     fn sheave(&self, on: usize, sheave: &Sheave<C>, number: u16) -> [Point<C>; 2] {
         let own = Point::new(sheave.x.numbered(number), sheave.y.numbered(number));
@@ -245,7 +258,7 @@ pub struct LedRope<C> {
     /// Rise of the load for one radian of the luffing angle, in m.
     pub rise: C,
 }
-results! { LedRope as p => { L_LED: p.length; Y_Q: p.y_q; DY_Q: p.rise; } }
+results! { LedRope as p => { L_LED: p.length; Y_Q: p.y_q; } }
 
 impl<C: Calc> LedRope<C> {
     /// y_Q = y_A + L_r / m_h + c_Q, y′_Q = y′_A + L′_r / m_h. [Ports001, 5.9.2.4]

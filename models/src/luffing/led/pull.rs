@@ -16,6 +16,15 @@ pub struct Hauled<C> {
 }
 
 impl<C: Calc> Hauled<C> {
+    /// On each bar.
+    pub fn nothing() -> [Hauled<C>; BARS] {
+        let zero = C::constant(0.0);
+        [Hauled {
+            force: Point::new(zero, zero),
+            moment: zero,
+        }; BARS]
+    }
+
     /// Under a pull, in N: the force in N, its moment in N·m.
     pub fn under(&self, pull: C) -> Hauled<C> {
         Hauled {
@@ -54,32 +63,61 @@ const NAMES: [[&Symbol; 3]; BARS] = [
     [&s::F_R3X, &s::F_R3Y, &s::M_R3],
 ];
 
+/// Adds what one newton in a stretch does to the bars at its ends, which it pulls together; two points of one bar feel nothing.
+pub fn haul<C: Calc>(each: &mut [Hauled<C>; BARS], bars: &LedBars<C>, stretch: &Stretch<C>) {
+    let Stretch { ends, on, along, .. } = stretch;
+    if on[0] == on[1] {
+        return;
+    }
+    for (place, force) in [(0, *along), (1, -*along)] {
+        if let Some(bar) = each.get_mut(on[place]) {
+            bar.force += force;
+            bar.moment += cross(ends[place] - bars.at[on[place]][0], force);
+        }
+    }
+}
+
+/// Under the names of its results.
+pub fn named<C: Calc>(on: [Hauled<C>; BARS]) -> [Hauled<C>; BARS] {
+    std::array::from_fn(|bar| {
+        let [x, y, moment] = NAMES[bar];
+        Hauled {
+            force: plane::def(on[bar].force, [x, y]),
+            moment: on[bar].moment.def(moment),
+        }
+    })
+}
+
+/// What a led rope does to boom, jib and rocker, or to as many bars as there are.
+pub const RESULTS: [&Symbol; 10] = [
+    &s::S_H,
+    &s::F_R1X,
+    &s::F_R1Y,
+    &s::M_R1,
+    &s::F_R2X,
+    &s::F_R2Y,
+    &s::M_R2,
+    &s::F_R3X,
+    &s::F_R3Y,
+    &s::M_R3,
+];
+
+/// These of a pull (N), in their order.
+pub fn results<C: Calc>(s_h: C, on: &[Hauled<C>; BARS]) -> [C; RESULTS.len()] {
+    let [one, two, three] = on.each_ref().map(|bar| [bar.force.x, bar.force.y, bar.moment]);
+    [
+        s_h, one[0], one[1], one[2], two[0], two[1], two[2], three[0], three[1], three[2],
+    ]
+}
+
 impl<C: Calc> LedPull<C> {
     /// S_h = Q / m_h, the same in the whole rope: without losses a sheave is pulled both ways by it, and the head towards
     /// the first one.
     pub fn new(reeved: &Reeved<C>, q: &C, bars: &LedBars<C>, stretched: &[Stretch<C>]) -> LedPull<C> {
-        let zero = C::constant(0.0);
-        let mut each = [Hauled {
-            force: Point::new(zero, zero),
-            moment: zero,
-        }; BARS];
-        let mut pulled = |on: usize, at: Point<C>, force: Point<C>| {
-            if let Some(bar) = each.get_mut(on) {
-                bar.force += force;
-                bar.moment += cross(at - bars.at[on][0], force);
-            }
-        };
-        // What pulls two points of one bar together does nothing to it.
-        for Stretch { ends, on, along, .. } in stretched.iter().filter(|stretch| stretch.on[0] != stretch.on[1]) {
-            pulled(on[0], ends[0], *along);
-            pulled(on[1], ends[1], -*along);
-        }
+        let mut each = Hauled::nothing();
+        stretched.iter().for_each(|stretch| haul(&mut each, bars, stretch));
         let s_h = (*q / reeved.falls.m_h).def(&s::S_H);
-        let mut on = each.map(|bar| bar.under(s_h));
-        for (bar, [x, y, moment]) in on.iter_mut().zip(NAMES) {
-            bar.force = plane::def(bar.force, [x, y]);
-            bar.moment = bar.moment.def(moment);
-        }
+        let on = named(each.map(|bar| bar.under(s_h)));
         LedPull {
             s_h,
             m_h: reeved.falls.m_h,

@@ -8,9 +8,12 @@ use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Kind, Values};
 use crate::kernel::symbol::Symbol;
 use crate::luffing::led::path::{Leading, LedFalls, MOST, Reeved, Sheave};
+use crate::luffing::moving::scene::Moving;
+use crate::luffing::moving::symbols::{J_H, L_R};
 use crate::luffing::resistances::placed::BARS;
 use crate::luffing::resistances::train::named;
 use crate::parts::motion::degrees;
+use crate::parts::slope::SLOPE;
 
 /// Quantities of the led rope and of the tackle that carries the load.
 mod s {
@@ -58,14 +61,14 @@ impl Led {
     }
 
     /// Of a checked mechanism's table, whose bars have these names; mistakes go to `found`.
-    pub fn read(v: &Values, bars: &[&str], moves: bool, found: &mut Vec<Diagnostic>) -> Led {
+    pub fn read(v: &Values, bars: &[&str], moving: Option<&Moving>, found: &mut Vec<Diagnostic>) -> Led {
         let Some(table) = v.table("rope") else {
             return Led::default();
         };
-        if moves {
-            let what = "a hoist rope led over sheaves, of a mechanism that moves by itself";
-            let help = "leave out [luffing.rope], or set fidelity = \"static\" or \"table\"";
-            found.push(v.refuse("rope", what, "not modelled", help));
+        if let Some(moving) = moving {
+            found.extend(elsewhere(Some(table), s::H_Q.id, moving));
+            found.extend(leaning(v));
+            found.extend(unled(v, moving));
         }
         let known: Vec<&str> = bars.iter().copied().chain([FRAME]).collect();
         let mut led = Led {
@@ -87,6 +90,13 @@ impl Led {
             found.push(sheave.refuse("on", what, "not on the frame", help));
         }
         led
+    }
+
+    /// What is assumed of it in motion; `None` without one.
+    #[must_use]
+    pub fn assumed(&self, moving: &Moving) -> Option<Vec<&'static str>> {
+        let swings = moving.rope.map(|_| "led_rope_moves");
+        self.falls.map(|_| ["led_rope"].into_iter().chain(swings).collect())
     }
 
     /// Whether sheaves have room between them over the whole working range; mistakes go to `found`.
@@ -120,5 +130,55 @@ impl Led {
         let table = v.table("rope").and_then(|rope| rope.tables("sheave").get(place));
         let span = table.map_or(0..0, |table| table.place(s::X_R.id));
         found.push(Diagnostic::new(span, what, "no room for a sheave").help(help));
+    }
+}
+
+/// A slope under a boom that slews: what its load's rope over a sheave has of it depends on the slewing angle.
+pub fn leaning(v: &Values) -> Option<Diagnostic> {
+    let table = v.table("slewing").filter(|table| table.has(SLOPE.name))?;
+    let what = "a slope under a boom that slews and leads its load's rope over a sheave";
+    let help = "remove [slewing.slope]; a boom that does not slew takes a slope as sigma_m in [luffing.dynamics]";
+    Some(table.refuse(SLOPE.name, what, "not modelled", help))
+}
+
+/// Part of a length by which two that are the same may differ, as their units are.
+const SAME: f64 = 1e-9;
+
+/// A load that hangs at two places at the start of the working range, by a table of its rope with the height under this key.
+pub fn elsewhere(table: Option<&Values>, key: &str, moving: &Moving) -> Option<Diagnostic> {
+    let (rope, table) = (moving.rope?, table?);
+    let h_q = table.number(key)?;
+    if (h_q - rope.length).abs() <= SAME * rope.length {
+        return None;
+    }
+    let (h_q, l_r) = (s::H_Q.written(h_q), L_R.written(rope.length));
+    let what = format!("h_Q = {h_q} where l_R = {l_r}: the load hangs at two places");
+    let help = format!("at the start the load hangs l_R below the head: set h_Q = \"{l_r}\"");
+    Some(table.refuse(key, what, "not l_R", help))
+}
+
+/// What nobody has modelled with a led rope: a hoist that a motor drives, a crane that oil luffs.
+fn unled(v: &Values, moving: &Moving) -> Option<Diagnostic> {
+    let motor = v.table("hoisting").filter(|table| table.stands(J_H.id));
+    match (moving.oil, motor) {
+        (Some(_), _) => {
+            let help = "leave out [luffing.rope], or set fidelity = \"swing\", \"rigid\", \"static\" or \"table\"";
+            Some(v.refuse(
+                "rope",
+                "a hoist rope led over sheaves of a crane that oil luffs",
+                "not modelled",
+                help,
+            ))
+        }
+        (None, Some(table)) => {
+            let help = "leave out [luffing.rope], or let the hoist follow v_h";
+            Some(table.refuse(
+                J_H.id,
+                "a hoist's motor on a rope led over sheaves",
+                "not modelled",
+                help,
+            ))
+        }
+        (None, None) => None,
     }
 }

@@ -21,7 +21,7 @@ symbols! {
     // Velocity.
     DL_RI: "dl_r" "l'_(r i)" M / M, "Change of the rope before a sheave for one radian of the luffing angle.", "derived";
     DL_LED: "dL_led" "L'_r" M / M, "Change of the led rope for one radian of the luffing angle.", "[Ports001, 5.9.2.4]";
-    DY_Q: "dY_Q" "y'_Q" M / M, "Rise of the load for one radian of the luffing angle.", "[Ports001, 5.9.2.4]";
+    DDL_LED: "ddL_led" "L''_r" M / M, "Change of that for one radian of luffing: of each stretch what its ends move square to it, by its length, and what their travel changes along it.", "derived";
     V_Q: "V_Q" "V_Q" M_PER_S / M_PER_S, "Vertical velocity of the load with the hoist drum at rest, upward positive.", "derived";
 
     // Forces.

@@ -134,7 +134,8 @@ impl<P: Calc> Pendulum<P> {
 #[derive(Clone, Copy)]
 pub(crate) struct Moves<C, const N: usize> {
     pub bodies: [MovedBody<C>; N],
-    /// Mass (kg) and place of the counterweight.
+    /// Mass (kg) and place of a load that hangs below the head at any time and is no part of a body, and of the counterweight.
+    pub load: Option<(C, [Point<C>; 3])>,
     pub counterweight: Option<(C, [Point<C>; 3])>,
     pub head: [Point<C>; 3],
     pub drive: [C; 2],
@@ -185,6 +186,7 @@ impl<C: Calc, const N: usize> Moves<C, N> {
         let nothing = [C::constant(0.0); 2];
         Moves {
             bodies,
+            load: None,
             counterweight,
             head,
             drive: nothing,
@@ -192,6 +194,12 @@ impl<C: Calc, const N: usize> Moves<C, N> {
             weighed: None,
             lead,
         }
+    }
+
+    /// With a load that hangs below the head at any time.
+    #[must_use]
+    pub fn hanging(self, load: Option<(C, [Point<C>; 3])>) -> Moves<C, N> {
+        Moves { load, ..self }
     }
 
     /// About a slewing axis, where there is one, on a slope where that is asked, under gravity in m/s²: with unit vectors along the
@@ -212,7 +220,7 @@ impl<C: Calc, const N: usize> Moves<C, N> {
             let each = bodies.iter().zip(&self.bodies);
             let each = each.map(|(body, moved)| (C::of(body.mass), moved.centre));
             let of = |(mass, [at, travel, _]): (C, [Point<C>; 3])| [mass * gravity, at.x - axis, travel.x];
-            weighed_forward(each.chain(self.counterweight).map(of))
+            weighed_forward(each.chain(self.load).chain(self.counterweight).map(of))
         });
         let (axis, two) = (C::of(table.axis), C::constant(2.0));
         let each = bodies.into_iter().zip(&self.bodies).zip(bars.into_iter().zip(UPRIGHT));
@@ -224,7 +232,8 @@ impl<C: Calc, const N: usize> Moves<C, N> {
             let about = bar.map(|bar| [spread(of, bar[0]).def(about), spread_change(of, bar).def(change)]);
             (C::of(body.mass), moved.centre, about)
         });
-        let all = each.chain(self.counterweight.map(|(mass, centre)| (mass, centre, None)));
+        let points = [self.load, self.counterweight].into_iter().flatten();
+        let all = each.chain(points.map(|(mass, centre)| (mass, centre, None)));
         let (mut whole, mut change) = (C::of(table.inertia), C::constant(0.0));
         for (mass, [r, v, _], about) in all {
             let reach = r.x - axis;
@@ -238,6 +247,16 @@ impl<C: Calc, const N: usize> Moves<C, N> {
         let turn = [whole.def(&s::I_SL), change.def(&s::DI_SL)];
         Moves { turn, weighed, ..self }
     }
+}
+
+/// A load below the head (m), with the rope that one radian adds between and its change (m), which has raised it by so much: place,
+/// first and second derivative by the driven angle.
+pub(crate) fn hung<C: Calc>([head, travel, bend]: [Point<C>; 3], raised: C, [lead, further]: [C; 2]) -> [Point<C>; 3] {
+    [
+        Point::new(head.x, head.y + raised),
+        Point::new(travel.x, (travel.y - lead).def(&s::DY_Q)),
+        Point::new(bend.x, (bend.y - further).def(&s::DDY_Q)),
+    ]
 }
 
 /// A body's centre of gravity: place, first and second derivative by the driven angle, in m; square of the body's
@@ -324,13 +343,13 @@ pub(crate) fn parts<T: Calc + DualNum>(v: Point<Dual2<T>>) -> [Point<T>; 3] {
     [v.map(|x| x.re), v.map(|x| x.v1), v.map(|x| x.v2)]
 }
 
-/// Inertia of all bodies about the slewing axis (kg·m²), and its change by the driven angle; the counterweight
-/// by its mass (kg) and place (m).
+/// Inertia of all bodies about the slewing axis (kg·m²), and its change by the driven angle; points by their masses (kg)
+/// and places (m).
 pub(crate) fn turned_inertia<P: Calc, T: Calc + DualNum + Over<P>, const N: usize>(
     table: &Turntable<P>,
     bodies: [&Body<P>; N],
     bars: &[Bar<T>; N],
-    counterweight: Option<(T, Point<Dual2<T>>)>,
+    points: impl Iterator<Item = (T, [Point<T>; 3])>,
 ) -> [T; 2] {
     let axis = Dual2::from_re(T::of(table.axis));
     let bodies = bodies.into_iter().zip(bars);
@@ -340,8 +359,8 @@ pub(crate) fn turned_inertia<P: Calc, T: Calc + DualNum + Over<P>, const N: usiz
         let spread = bar.spread(body.spread.map(T::of));
         (mass, Dual2::new(r.x, v.x, a.x) - axis, Some(spread))
     });
-    let counterweight = counterweight.map(|(mass, place)| (Dual2::from_re(mass), place.x - axis, None));
-    let sum = about_axis(Dual2::from_re(T::of(table.inertia)), bodies.chain(counterweight));
+    let points = points.map(|(mass, [r, v, a])| (Dual2::from_re(mass), Dual2::new(r.x, v.x, a.x) - axis, None));
+    let sum = about_axis(Dual2::from_re(T::of(table.inertia)), bodies.chain(points));
     [sum.re, sum.v1]
 }
 

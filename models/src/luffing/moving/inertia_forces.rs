@@ -95,3 +95,21 @@ pub fn weight_and_inertia<C: Calc>(
     let upward = travel.y * at.alpha + bend.y * square + gravity;
     Point::new(-(mass * forward), -(mass * upward))
 }
+
+/// With a load below the head that does not swing (kg), where it is and how it moves (m), this far forward of the slewing axis (m): it
+/// hangs by its whole weight, whatever way that leans.
+pub fn hanging<C: Calc>(
+    at: Instant<C>,
+    (mass, [_, travel, bend]): (C, [Point<C>; 3]),
+    reach: C,
+    gravity: C,
+) -> Instant<C> {
+    let pull = weight_and_inertia(mass, [travel, bend], reach, &at, gravity);
+    let pull = plane::def(pull, [&s::F_AX, &s::F_AY]);
+    let plumb = at.pushed.map_or(-pull.y, |pushed| mass * pushed.lean.y - pull.y);
+    Instant {
+        pull: Some(pull),
+        tension: Some(plumb),
+        ..at
+    }
+}

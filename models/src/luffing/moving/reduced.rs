@@ -234,6 +234,14 @@ impl<C: Calc> Reduced<C> {
             moment += weight * v.y;
             energy += weight * r.y;
         }
+        if let Some((mass, [r, v, a])) = moves.load {
+            let mass = mass.def(&s::MASS_Q);
+            let weight = mass * C::of(gravity);
+            inertia += (mass * squared(v)).def(&s::I_RQ);
+            slope += (C::constant(2.0) * (mass * dot(v, a))).def(&s::DI_RQ);
+            moment += weight * v.y;
+            energy += weight * r.y;
+        }
         if let Some((mass, [r, v, a])) = moves.counterweight {
             let weight = mass * C::of(gravity);
             inertia += (mass * squared(v)).def(&s::I_R5);

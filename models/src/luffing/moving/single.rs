@@ -21,7 +21,7 @@ use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
 use crate::luffing::moving::exposed::Exposed;
 use crate::luffing::moving::geared::Geared;
 use crate::luffing::moving::given::{Constants, Fitted, SlewedParts};
-use crate::luffing::moving::inertia_forces::{PosedBody, weight_and_inertia};
+use crate::luffing::moving::inertia_forces::{PosedBody, hanging};
 use crate::luffing::moving::level::{CraneAt, Level};
 use crate::luffing::moving::reduced::{CoordinateNames, Reduced, Reduces, Renewed};
 use crate::luffing::moving::shares::Instant;
@@ -173,18 +173,7 @@ impl<P: Coordinate<P>> Acting<P> {
         let balance = heavy.balance.as_ref().map(|balance| P::posed(balance, phi));
         let balance = balance.map_or(Some(None), |found| found.map(Some))?;
         let instant = match B::load(&heavy.bodies, phi).filter(|_| instant.pull.is_none()) {
-            Some((mass, [place, travel, bend])) => {
-                let pull = weight_and_inertia(mass, [travel, bend], reach(place.x), &instant, heavy.gravity);
-                let pull = plane::def(pull, [&s::F_AX, &s::F_AY]);
-                // It hangs by its whole weight, whatever way that leans.
-                let plumb = instant.pushed.map_or(-pull.y, |pushed| mass * pushed.lean.y - pull.y);
-                let (pull, tension) = (Some(pull), Some(plumb));
-                Instant {
-                    pull,
-                    tension,
-                    ..instant
-                }
-            }
+            Some((mass, places)) => hanging(instant, (mass, places), reach(places[0].x), heavy.gravity),
             None => instant,
         };
         Some(Acting {

@@ -103,6 +103,12 @@ symbols! {
     DDY_5: "ddy_5" "y''_5" M / M, "Change of the rise of the counterweight's centre of gravity for one radian of the driving link.", "dual numbers";
     I_R5: "I_r5" "I_5" KG_M2 / T_M2, "Inertia of the counterweight, reduced to the driving link.", "Lagrange";
     DI_R5: "dI_r5" "I'_5" KG_M2 / T_M2, "Change of the counterweight's reduced inertia for one radian of the driving link.", "Lagrange";
+    DY_Q: "dY_Q" "y'_Q" M / M, "Rise of the load for one radian of luffing, the hoist drum at rest.", "[Ports001, 5.2.3]";
+    DDY_Q: "ddY_Q" "y''_Q" M / M, "Change of the load's rise for one radian of luffing.", "derived";
+    DL_R: "dl_R" "l'_R" M / M, "Rope that one radian of luffing adds between head and load, the hoist drum at rest.", "[Ports001, 5.2.3.1]";
+    DDL_R: "ddl_R" "l''_R" M / M, "Change of that for one radian of luffing.", "derived";
+    I_RQ: "I_rQ" "I_Q" KG_M2 / T_M2, "Inertia of the load, reduced to the luffing angle.", "Lagrange";
+    DI_RQ: "dI_rQ" "I'_Q" KG_M2 / T_M2, "Change of the load's reduced inertia for one radian of luffing.", "Lagrange";
     I_R: "I_r" "I" KG_M2 / T_M2, "Inertia of all bars and the counterweight, reduced to the driving link.", "Lagrange";
     DI_R: "dI_r" "I'" KG_M2 / T_M2, "Change of the reduced inertia for one radian of the driving link.", "Lagrange";
     M_W: "M_W" "M_W" N_M / KN_M, "Moment of the weights of bars and counterweight about the foot of the driving link; positive lowers it.", "virtual work";

@@ -4,7 +4,7 @@ use crate::balance::boom::Plain;
 use crate::kernel::calc::{Calc, Over};
 use crate::kernel::group::quantities;
 use crate::kernel::symbol::{Symbol, listed};
-use crate::luffing::moving::bodies::{Asked, Body, MovedBody, Moves};
+use crate::luffing::moving::bodies::{Asked, Body, MovedBody, Moves, hung};
 use crate::luffing::moving::reduced::{CoordinateNames, Reduced};
 use crate::luffing::moving::single::SingleBoom;
 use crate::luffing::moving::symbols::{self as m, OfSums};
@@ -20,19 +20,12 @@ quantities! {
     BoomInertia { j_b: J_B }
 }
 
-/// Names of what is summed for boom and load.
-static OF_BODY: [OfSums; 2] = [
-    OfSums {
-        mass: &s::MASS_B,
-        inertia: &s::I_RB,
-        slope: &s::DI_RB,
-    },
-    OfSums {
-        mass: &m::MASS_Q,
-        inertia: &s::I_RQ,
-        slope: &s::DI_RQ,
-    },
-];
+/// Names of what is summed for the boom.
+static OF_BOOM: OfSums = OfSums {
+    mass: &s::MASS_B,
+    inertia: &s::I_RB,
+    slope: &s::DI_RB,
+};
 
 /// What a boom on a luffing rope is made of.
 #[derive(Clone, Copy)]
@@ -69,8 +62,8 @@ pub struct RopedBodies<P> {
     parts: Option<Compensation<P>>,
     /// From its foot.
     boom: Body<P>,
-    /// A load that hangs straight below the head at any time.
-    load: Option<Body<P>>,
+    /// Mass of a load that hangs straight below the head at any time, in kg.
+    load: Option<P>,
 }
 
 impl<P: Calc> RopedBodies<P> {
@@ -89,19 +82,10 @@ impl<P: Calc> RopedBodies<P> {
         let change = ((arm.square() - plane::dot(head, b)) / length).def(&s::DH_S);
         Some([
             part * length,
-            (part * arm).def(&s::DL_R),
-            (part * change).def(&s::DDL_R),
+            (part * arm).def(&m::DL_R),
+            (part * change).def(&m::DDL_R),
         ])
     }
-}
-
-/// A load that hangs straight below the head at any time, in m: place, rise for one radian of the boom, and how that changes.
-fn below<C: Calc>([head, travel, bend]: [Point<C>; 3], [length, arm, change]: [C; 3]) -> [Point<C>; 3] {
-    [
-        Point::new(head.x, head.y + length),
-        Point::new(travel.x, (travel.y - arm).def(&s::DY_Q)),
-        Point::new(bend.x, (bend.y - change).def(&s::DDY_Q)),
-    ]
 }
 
 /// A boom on a luffing rope, as its equations of motion see it.
@@ -130,25 +114,28 @@ impl SingleBoom for Roped {
 
     fn bodies<P: Calc>(own: &RopedParts<P>, fixed: Option<P>, gravity: P) -> RopedBodies<P> {
         let along = Point::new(P::constant(1.0), P::constant(0.0));
-        let (weights, zero) = (&own.weights, P::constant(0.0));
+        let weights = &own.weights;
         let (sin, cos) = weights.chi_b.sin_cos();
         let centre = Point::new(weights.r_b * cos, weights.r_b * sin);
         RopedBodies {
             rig: own.rig,
             parts: own.compensation,
             boom: Body::slender(weights.g_b / gravity, own.inertia.j_b, centre, along),
-            load: fixed.map(|mass| Body::slender(mass, zero, along * zero, along)),
+            load: fixed,
         }
     }
 
     fn load<P: Over<P>>(of: &RopedBodies<P>, phi: P) -> Option<(P, [Point<P>; 3])> {
-        let load = of.load.as_ref()?;
+        let mass = of.load?;
         let (sin, cos) = phi.sin_cos();
         let head = plane::turned(Point::new(cos, sin), of.rig.l, of.rig.f_a);
         let head = plane::def(head, [&s::A_X, &s::A_Y]);
         let travel = plane::def(Point::new(-head.y, head.x), [&s::DA_X, &s::DA_Y]);
-        let moved = below([head, travel, -head], of.led(head)?);
-        Some((load.mass.def(&m::MASS_Q), moved))
+        let [raised, lead, change] = of.led(head)?;
+        Some((
+            mass.def(&m::MASS_Q),
+            hung([head, travel, -head], raised, [lead, change]),
+        ))
     }
 
     /// `None` where the head is at the sheave. What turns about the foot has x″ = −x, y″ = −y.
@@ -159,7 +146,6 @@ impl SingleBoom for Roped {
         counterweight: Option<Weight<C>>,
     ) -> Option<Reduced<C>> {
         let (sin, cos) = phi.sin_cos();
-        let (zero, one) = (C::constant(0.0), C::constant(1.0));
         let place = |x: P, y: P| Point::new(C::of(x) * cos - C::of(y) * sin, C::of(x) * sin + C::of(y) * cos);
         let turned = |p: Point<C>| Point::new(-p.y, p.x);
         let centre = plane::def(place(of.boom.centre.x, of.boom.centre.y), [&s::S_BX, &s::S_BY]);
@@ -168,24 +154,20 @@ impl SingleBoom for Roped {
         let led = of.led(head)?;
         let boom = MovedBody {
             centre: [centre, turned(centre), -centre],
-            turn: [one, zero],
+            turn: [1.0, 0.0].map(C::constant),
         };
         let along = Point::new(cos, sin);
         let lies = Some([along, turned(along)]);
-        let Some(load) = &of.load else {
-            let bend = plane::def(-head, [&m::DDA_X, &m::DDA_Y]);
-            let moves = Moves::in_plane([boom], counterweight, [head, travel, bend], Some([led[1], led[2]]));
-            let moves = moves.turning((gravity, asked), [&of.boom], [lies]);
-            return Some(Reduced::of([&of.boom], [&OF_BODY[0]], gravity, moves));
+        let [raised, lead, change] = led;
+        let load = of
+            .load
+            .map(|mass| (C::of(mass), hung([head, travel, -head], raised, [lead, change])));
+        let (bend, lead) = match load {
+            None => (plane::def(-head, [&m::DDA_X, &m::DDA_Y]), Some([lead, change])),
+            Some(_) => (-head, None),
         };
-        let hanging = MovedBody {
-            centre: below([head, travel, -head], led),
-            turn: [zero; 2],
-        };
-        let bodies = [&of.boom, load];
-        let moves = Moves::in_plane([boom, hanging], counterweight, [head, travel, -head], None);
-        let moves = moves.turning((gravity, asked), bodies, [lies, None]);
-        let names = OF_BODY.each_ref();
-        Some(Reduced::of(bodies, names, gravity, moves))
+        let moves = Moves::in_plane([boom], counterweight, [head, travel, bend], lead);
+        let moves = moves.hanging(load).turning((gravity, asked), [&of.boom], [lies]);
+        Some(Reduced::of([&of.boom], [&OF_BOOM], gravity, moves))
     }
 }

@@ -22,6 +22,7 @@ use crate::kernel::symbol::{Symbol, listed};
 use crate::luffing::at_rest::at_rest;
 use crate::luffing::boom_scene::{INTERPOLATION, MOVING_FIDELITY, balance_work, begun, motion, vanishing};
 use crate::luffing::counterweight::chapter;
+use crate::luffing::led::scene::{elsewhere, leaning};
 use crate::luffing::moving;
 use crate::luffing::moving::control::luffing::CONTROL;
 use crate::luffing::moving::hoisting::BY_SPEED_KEYS;
@@ -44,7 +45,6 @@ use crate::parts::ground::GROUND;
 use crate::parts::motion::{Motion, degrees};
 use crate::parts::plane::{self, Point};
 use crate::parts::shaping;
-use crate::parts::slope::SLOPE;
 use crate::parts::teeth;
 use crate::parts::{air, ground, hanging, hydraulics, side_wind, slope, turntable, turntable_control};
 use crate::parts::{motor, starts};
@@ -380,33 +380,10 @@ fn moves(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<Moving
         weighs: |weights| turns(weights, &b::G_B, &b::R_B),
     };
     let moving = Moving::new(v, gravity, &bodies, found)?;
-    found.extend(elsewhere(v, &moving));
+    let rope = v.table("hoist_rope");
+    found.extend(elsewhere(rope, s::H_Q.id, &moving));
     found.extend(leaning(v));
     Some(moving)
-}
-
-/// A slope under a boom that slews: what its load's rope over the sheave has of it depends on the slewing angle.
-fn leaning(v: &Values) -> Option<Diagnostic> {
-    let table = v.table("slewing").filter(|table| table.has(SLOPE.name))?;
-    let what = "a slope under a boom that slews and leads its load's rope over a sheave";
-    let help = "remove [slewing.slope]; a boom that does not slew takes a slope as sigma_m in [luffing.dynamics]";
-    Some(table.refuse(SLOPE.name, what, "not modelled", help))
-}
-
-/// Part of a length by which two that are the same may differ, as their units are.
-const SAME: f64 = 1e-9;
-
-/// A load that hangs at two places at the start of the working range.
-fn elsewhere(v: &Values, moving: &Moving) -> Option<Diagnostic> {
-    let (rope, table) = (moving.rope?, v.table("hoist_rope")?);
-    let h_q = table.number(s::H_Q.id)?;
-    if (h_q - rope.length).abs() <= SAME * rope.length {
-        return None;
-    }
-    let (h_q, l_r) = (s::H_Q.written(h_q), moving::symbols::L_R.written(rope.length));
-    let what = format!("h_Q = {h_q} where l_R = {l_r}: the load hangs at two places");
-    let help = format!("at the start the load hangs l_R below the head: set h_Q = \"{l_r}\"");
-    Some(table.refuse(s::H_Q.id, what, "not l_R", help))
 }
 
 /// Where the luffing tackle holds the boom: the foot of its lug between O1 and A, and K, in m from O1.

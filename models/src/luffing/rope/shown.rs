@@ -26,7 +26,7 @@ impl Shown for Rope {
             "motion_bodies",
             "rope_bodies",
             listed! { s:
-                MASS_B, S_BX, S_BY, A_X, A_Y, DA_X, DA_Y, L_S, H_S, DH_S, DL_R, DDL_R, DY_Q, DDY_Q, I_RB, DI_RB, I_RQ, DI_RQ
+                MASS_B, S_BX, S_BY, A_X, A_Y, DA_X, DA_Y, L_S, H_S, DH_S, I_RB, DI_RB
             },
         ),
         ("motion_equations", "motion_equations", &[&s::D_OMEGA]),

@@ -49,7 +49,6 @@ symbols! {
     // Velocity.
     DA_X: "dA.x" "x'_A" M / M, "Forward travel of A for one radian of the boom.", "derived";
     DA_Y: "dA.y" "y'_A" M / M, "Rise of A for one radian of the boom.", "derived";
-    DY_Q: "dY_Q" "y'_Q" M / M, "Rise of the load for one radian of the boom.", "[Ports001, 5.2.3]";
     V_AX: "V_AX" "V_(A X)" M_PER_S / M_PER_S, "Horizontal velocity of A, forward positive.", "derived";
     V_AY: "V_AY" "V_(A Y)" M_PER_S / M_PER_S, "Vertical velocity of A, upward positive.", "derived";
     V_Q: "V_Q" "V_Q" M_PER_S / M_PER_S, "Vertical velocity of the load with the hoist drum at rest, upward positive.", "derived";
@@ -85,13 +84,8 @@ symbols! {
     S_BX: "S_b.x" "x_S" M / M, "Centre of gravity of the boom, forward of O1.", "derived";
     S_BY: "S_b.y" "y_S" M / M, "Centre of gravity of the boom, above O1.", "derived";
     DH_S: "dh_S" "h'_S" M / M, "Change of the hoist rope's lever arm for one radian of the boom.", "derived";
-    DL_R: "dl_R" "l'_R" M / M, "Rope that one radian of the boom adds between head and load, the hoist drum at rest.", "[Ports001, 5.2.3.1]";
-    DDL_R: "ddl_R" "l''_R" M / M, "Change of that for one radian of the boom.", "derived";
-    DDY_Q: "ddY_Q" "y''_Q" M / M, "Change of the load's rise for one radian of the boom.", "derived";
     I_RB: "I_rb" "I_b" KG_M2 / T_M2, "Inertia of the boom about its foot.", "Lagrange";
     DI_RB: "dI_rb" "I'_b" KG_M2 / T_M2, "Change of the boom's inertia for one radian of it.", "Lagrange";
-    I_RQ: "I_rQ" "I_Q" KG_M2 / T_M2, "Inertia of the load, reduced to the boom's angle.", "Lagrange";
-    DI_RQ: "dI_rQ" "I'_Q" KG_M2 / T_M2, "Change of the load's reduced inertia for one radian of the boom.", "Lagrange";
     M_BO: "M_bO" "M_(b O)" N_M / KN_M, "Moment of the boom's weight and inertia about O1; clockwise positive.", "Newton and Euler";
     T_DYN: "T_dyn" "T_\"dyn\"" N / KN, "Pull of the luffing tackle as motor and brake give it; zero where the tackle is slack.", "equations of motion";
     D_PHI: "der(phi)" "dot(phi)" RAD_PER_S / DEG_PER_S, "Rate of the boom's angle.", "state";

@@ -2,6 +2,7 @@
 
 use crate::component::stages::results;
 use crate::kernel::calc::Calc;
+use crate::luffing::moving::symbols::DY_Q;
 use crate::luffing::rope::position::{BoomPosition, Falls, Rig, Stretch};
 use crate::luffing::rope::symbols as s;
 use crate::parts::plane::{self, Point};
@@ -21,7 +22,7 @@ impl<C: Calc> RopeTravel<C> {
         let a = plane::def(Point::new(-position.a.y, position.a.x), [&s::DA_X, &s::DA_Y]);
         RopeTravel {
             a,
-            y_q: (a.y - stretch.all(stretch.line.arm) / rig.m_h).def(&s::DY_Q),
+            y_q: (a.y - stretch.all(stretch.line.arm) / rig.m_h).def(&DY_Q),
         }
     }
 }

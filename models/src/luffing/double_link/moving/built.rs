@@ -14,6 +14,7 @@ use crate::luffing::double_link::moving::symbols as m;
 use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::parameters::{Parameters, Weights};
 use crate::luffing::double_link::pose::Posing;
+use crate::luffing::led::path::Reeved;
 use crate::luffing::moving::bodies::Body;
 use crate::luffing::moving::built::{HoistParts, LevelParts, Outfit};
 use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
@@ -40,6 +41,7 @@ pub struct CraneParts<P: Calc> {
     pub range: Motion,
     pub load: One<P>,
     pub inertias: Inertias<P>,
+    pub reeved: Option<Reeved<P>>,
     pub constants: Constants<P>,
     pub ramp: Option<HoistRamp<P>>,
     pub motor: Option<HoistMotor<P>>,
@@ -68,7 +70,8 @@ where
         })?;
         let linkage = HeavyLinkage::new(&geometry, self.bodies(&geometry))
             .with_balance(p, &self.range)
-            .map_err(|fault| Fault::outside(fault.to_string()))?;
+            .map_err(|fault| Fault::outside(fault.to_string()))?
+            .with_rope(self.reeved);
         Ok(match &p.anchors {
             Some(anchors) => linkage.with_drive(anchors),
             None => linkage,
@@ -123,7 +126,8 @@ where
         .pendulum(load, self.fitted.rope);
         Bodies {
             boom,
-            jib: spread(if pendulum.is_some() {
+            load: self.reeved.filter(|_| pendulum.is_none()).map(|_| load),
+            jib: spread(if pendulum.is_some() || self.reeved.is_some() {
                 jib
             } else {
                 let loaded = jib.with_mass(load, head);

@@ -21,6 +21,7 @@ use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::parameters::{Choice, Parameters};
 use crate::luffing::double_link::pose::Posing;
 use crate::luffing::double_link::resisting::OfLink;
+use crate::luffing::led::path::Reeved;
 use crate::luffing::moving::built::Outfit;
 use crate::luffing::moving::dynamics::Coordinate;
 use crate::luffing::moving::exposed::Exposed;
@@ -79,6 +80,7 @@ impl EachScalar for LinkInMotion {
 #[expect(clippy::too_many_arguments, reason = "all that it is made of")]
 pub fn parts<C: Scalar>(
     parameters: &Parameters<C>,
+    reeved: Option<&Reeved<C>>,
     load: &One<C>,
     inertias: &Inertias<C>,
     constants: &Constants<C>,
@@ -100,6 +102,7 @@ pub fn parts<C: Scalar>(
         range: choice.range,
         load: *load,
         inertias: *inertias,
+        reeved: reeved.copied(),
         constants: *constants,
         ramp: *ramp,
         motor: *motor,

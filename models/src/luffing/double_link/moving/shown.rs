@@ -9,6 +9,7 @@ use crate::luffing::double_link::outline::OUTLINE;
 use crate::luffing::double_link::scene::{Luffing, LuffingScene};
 use crate::luffing::double_link::stages::{DoubleLink, Given};
 use crate::luffing::double_link::symbols as s;
+use crate::luffing::led::symbols as w;
 use crate::luffing::moving::carried;
 use crate::luffing::moving::scene::Moving;
 use crate::luffing::moving::told::shown::{Apart, Drawn, OwnPart, Shown, ShownBar};
@@ -53,6 +54,16 @@ impl Shown for LuffingScene {
             "motion_forces",
             &[
                 &s::M_D,
+                &w::S_H,
+                &w::F_R1X,
+                &w::F_R1Y,
+                &w::M_R1,
+                &w::F_R2X,
+                &w::F_R2Y,
+                &w::M_R2,
+                &w::F_R3X,
+                &w::F_R3Y,
+                &w::M_R3,
                 &m::F_1X,
                 &m::F_1Y,
                 &m::F_2X,

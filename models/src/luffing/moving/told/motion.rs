@@ -44,7 +44,7 @@ const SECTIONS: [(&str, &[&Symbol]); 16] = [
     (
         "motion_bodies",
         listed! { m:
-            MASS_Q, I_R5, DI_R5, I_R, DI_R, M_W, DDA_X, DDA_Y, DS_S, DDS_S, DPSI_M, DDPSI_M, I_M, DI_M, I_ALL, DI_ALL
+            MASS_Q, DL_R, DDL_R, DY_Q, DDY_Q, I_RQ, DI_RQ, I_R5, DI_R5, I_R, DI_R, M_W, DDA_X, DDA_Y, DS_S, DDS_S, DPSI_M, DDPSI_M, I_M, DI_M, I_ALL, DI_ALL
         },
     ),
     (
