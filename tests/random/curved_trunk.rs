@@ -9,7 +9,7 @@ use lemnis_models::luffing::curved_trunk::symbols as s;
 use toml::{Table, Value};
 
 use crate::cases::cases;
-use crate::led::led;
+use crate::led::{begun, led, unsloped};
 use crate::luffing::{boom_level, drive_about_origin, dynamics, moving_parts, tail_balance, working_range};
 use crate::scene::{Draw, Node};
 
@@ -95,7 +95,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     let taut: Vec<f64> = angles.filter(front).collect();
     let range = [taut[0], taut[taut.len() - 1]];
     working_range(&mut n, range);
-    led(&mut n, &[("boom", b, 0.5 * a), ("trunk", 0.0, 0.5 * a)], 4.0 * b, moves);
+    led(&mut n, &[("boom", b, 0.5 * a), ("trunk", 0.0, 0.5 * a)], 4.0 * b);
     if let Some(mut rope) = n.child("rope") {
         // It pulls so little that the tie stays taut.
         let falls = rope.draw.between(4.0, 12.0);
@@ -107,7 +107,9 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
         turning.remove(&AREA);
     }
     if moves {
+        unsloped(&mut n);
         dynamics(&mut n, "J_b", rope, false);
+        begun(&mut n);
         held(&mut n, [a, b]);
         slowly(&mut n);
     }

@@ -5,11 +5,9 @@ use toml::{Table, Value};
 
 use crate::scene::Node;
 
-/// Of a mechanism that stands still: bars by their names, each with where a joint lies along it and how far around that sheaves
-/// may be (m), and the size of the whole (m).
-pub fn led(n: &mut Node, bars: &[(&'static str, f64, f64)], size: f64, moves: bool) {
-    let has = n.has("rope") && !moves;
-    n.keep("rope", has);
+/// Of bars by their names, each with where a joint lies along it and how far around that sheaves may be (m), and of the size of the
+/// whole (m).
+pub fn led(n: &mut Node, bars: &[(&'static str, f64, f64)], size: f64) {
     let Some(mut rope) = n.child("rope") else { return };
     let (on, along, room) = rope.draw.pick(bars);
     let sheave = |on: &str, x: f64, y: f64| {
@@ -32,4 +30,26 @@ pub fn led(n: &mut Node, bars: &[(&'static str, f64, f64)], size: f64, moves: bo
     let (x, y) = (rope.draw.between(-9.0, -5.0), rope.draw.between(-1.0, 1.0));
     all.push(sheave("frame", x * size, y * size));
     rope.put("sheave", all);
+}
+
+/// A mechanism that moves with such a rope stands on level ground where it slews, and its hoist follows a speed.
+pub fn unsloped(n: &mut Node) {
+    if !n.has("rope") {
+        return;
+    }
+    if let Some(mut turning) = n.child("slewing") {
+        turning.remove(&["slope"]);
+    }
+    if let Some(mut hoist) = n.child("hoisting") {
+        hoist.remove(&["J_h", "r_h", "m_h", "M_Fh", "M_Mh", "M_Bh", "control"]);
+    }
+}
+
+/// It begins as far below the head as its rope is long, where it swings.
+pub fn begun(n: &mut Node) {
+    let table = if n.has("hoisting") { "hoisting" } else { "dynamics" };
+    let long = n.child(table).and_then(|table| table.text("l_R").map(str::to_owned));
+    if let Some((mut rope, long)) = n.child("rope").zip(long) {
+        rope.put("h_Q", long);
+    }
 }

@@ -17,7 +17,7 @@ use toml::Table;
 use crate::cases::cases;
 use crate::control::{Axis, HOIST, LUFFING, SLEWING, controlled, cycle};
 use crate::hung;
-use crate::led::led;
+use crate::led::{begun, led, unsloped};
 use crate::scene::{Draw, Node};
 
 /// A result that every level has.
@@ -216,7 +216,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     }
     let (linkage, range) = built(&mut n);
     working_range(&mut n, range);
-    rope_over_sheaves(&mut n, &linkage, moves);
+    rope_over_sheaves(&mut n, &linkage, oil);
     if let Some(mut balance) = n.child("balance") {
         balance.keep(
             "s_5",
@@ -230,7 +230,9 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     }
     if moves {
         let turns = if n.text("driven") == Some("boom") { "J_1" } else { "J_3" };
+        unsloped(&mut n);
         dynamics(&mut n, turns, rope, level == "hydraulic");
+        begun(&mut n);
     }
     if oil {
         hydraulics(&mut n, &linkage, bore, pressure);
@@ -243,7 +245,9 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
 }
 
 /// Sheaves at the boom's head, and at the rocker's where the jib's head is far from that.
-fn rope_over_sheaves(n: &mut Node, linkage: &Linkage, moves: bool) {
+fn rope_over_sheaves(n: &mut Node, linkage: &Linkage, oil: bool) {
+    let has = n.has("rope") && !oil;
+    n.keep("rope", has);
     let ([x_1, x_2, x_3], x_4) = (linkage.bars, n.get("X_4"));
     let apart = (x_4 - x_2).abs();
     let bars = [
@@ -251,7 +255,7 @@ fn rope_over_sheaves(n: &mut Node, linkage: &Linkage, moves: bool) {
         ("jib", 0.0, 0.5 * x_4),
         ("rocker", x_3, 0.5 * apart),
     ];
-    led(n, &bars, x_1 + x_2 + x_3 + x_4 + length(linkage.o3), moves);
+    led(n, &bars, x_1 + x_2 + x_3 + x_4 + length(linkage.o3));
 }
 
 /// A linkage that something else carries, with its working range.
@@ -653,10 +657,10 @@ pub fn working_range(n: &mut Node, [from, to]: [f64; 2]) {
     motion.set("speed", (to - from) / lasts);
 }
 
-/// A hoist with its rope under a load (N), for a run of a duration (s).
-fn hoisting(h: &mut Node, load: f64, lasts: f64) {
+/// A hoist with its rope, which sheaves may lead, under a load (N), for a run of a duration (s).
+fn hoisting(h: &mut Node, load: f64, lasts: f64, led: bool) {
     let drum = ["J_h", "r_h", "m_h", "M_Fh", "M_Mh", "M_Bh"];
-    let motor = h.draw.coin(0.5) && h.knows(drum[0]);
+    let motor = h.draw.coin(0.5) && h.knows(drum[0]) && !led;
     reeled(h, true, lasts);
     if motor {
         h.remove(&["v_h", "a_h"]);
@@ -792,7 +796,8 @@ pub fn dynamics(n: &mut Node, turns: &str, rope: bool, oil: bool) {
         let load = n.get("Q");
         let mut dynamics = n.child("dynamics").expect("there");
         dynamics.remove(&["l_R", "phi_R", "v_h", "a_h"]);
-        hoisting(&mut n.child("hoisting").expect("there"), load, lasts);
+        let led = n.has("rope");
+        hoisting(&mut n.child("hoisting").expect("there"), load, lasts, led);
     } else {
         reeled(&mut n.child("dynamics").expect("there"), rope, lasts);
     }
