@@ -144,6 +144,7 @@ fn no_inertia_at_all_is_refused() {
             jib: none,
             rocker: none,
             pendulum: None,
+            load: None,
             gravity: 9.81,
         },
     )

@@ -189,6 +189,7 @@ fn no_inertia_at_all_is_refused() {
         jib: none,
         rocker: none,
         pendulum: None,
+        load: None,
         gravity: G,
     };
     let dynamics = HeavyLinkage::new(&crane::geometry(), bodies)

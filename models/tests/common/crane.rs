@@ -47,6 +47,7 @@ pub fn bodies(g: &Geometry<f64>, mass: f64, pendulum: Option<Pendulum>) -> Bodie
         },
         rocker: Body::uniform(4e3 * mass, zero, Point::new(l.x_3, 0.0)),
         pendulum,
+        load: None,
         gravity: 9.81,
     }
 }
