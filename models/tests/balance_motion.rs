@@ -54,6 +54,7 @@ fn alone(luffing: &Luffing) -> Dynamics {
         jib: NOTHING,
         rocker: NOTHING,
         pendulum: None,
+        load: None,
         gravity: G,
     };
     HeavyLinkage::new(&g, bodies)
@@ -170,6 +171,7 @@ fn a_free_balanced_crane_conserves_energy() {
             jib: body(w.g_2, 2e5, w.s_2, w.chi_2),
             rocker: body(w.g_3, 1e5, w.s_3, w.chi_3),
             pendulum: None,
+            load: None,
             gravity: G,
         };
         let crane = HeavyLinkage::new(&g, bodies)

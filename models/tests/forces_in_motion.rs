@@ -354,6 +354,7 @@ fn a_balance_in_motion_keeps_power_and_equilibrium() {
             jib: nothing,
             rocker: nothing,
             pendulum: None,
+            load: None,
             gravity: G,
         };
         let linkage = HeavyLinkage::new(&g, bodies)
