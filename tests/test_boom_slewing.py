@@ -207,8 +207,8 @@ def compared(request, tmp_path_factory):
     balance = text[text.index("[luffing.balance]"):text.index("[luffing.limits]")]
     rope = '[luffing.rope]\nm_h = "4"\nh_Q = "8 m"\n' + ROPE_OF_TRUNK
     path = inserted(TRUNK, folder, ('kind = "curved_trunk"', 'kind = "curved_trunk"\nfidelity = "swing"'), (balance, rope),
-                    ("[luffing.limits]", moving(inertias, 1.2e6, 8.0) + TURNS + "[luffing.limits]"))
-    return packed(path, "CurvedTrunk", folder), points(boom_with_trunk, (np.radians(42.0), 8.0), 1.2e6), 1.2e6, "phi"
+                    ("[luffing.limits]", moving(inertias, 1.9e6, 8.0) + TURNS + "[luffing.limits]"))
+    return packed(path, "CurvedTrunkCrane", folder), points(boom_with_trunk, (np.radians(42.0), 8.0), 1.9e6), 1.9e6, "phi"
 
 
 @pytest.mark.parametrize("standard", ENDS)

@@ -359,6 +359,13 @@ fn power(given: &Given<f64>, model: &mut Standing) -> Check {
     let o3 = Point::new(trunk.o3_x, trunk.o3_y);
     let mut symbols = vec![&b::PHI, &s::T_X, &s::T_Y, &s::A_X, &s::ALPHA, &s::M_Q];
     symbols.extend(given.weights.map(|_| &s::M_G));
+    let led = symbols.len();
+    symbols.extend(
+        given
+            .rope
+            .iter()
+            .flat_map(|_| [&w::M_R1, &w::M_R2, &w::F_R2X, &w::F_R2Y]),
+    );
     vanishing(model, ("power", &s::AGREEMENT), &symbols, |row| {
         let (boom, tie) = (polar(trunk.b, row[0]), Point::new(row[1], row[2]) - o3);
         // From O1 along the boom, in parts of it.
@@ -377,8 +384,18 @@ fn power(given: &Given<f64>, model: &mut Standing) -> Check {
             let own = rises(boom.x + polar(w.r_t, row[4] + w.chi_t).x);
             of_trunk = [0, 1].map(|i| of_trunk[i] + w.g_t * own[i]);
         }
-        let work = row[5] + row.get(6).copied().unwrap_or(0.0);
-        [work, -of_boom, -of_trunk[0], -of_trunk[1]]
+        let work = row[5] + if led > 6 { row[6] } else { 0.0 };
+        let mut rope = [0.0; 2];
+        if let [on_boom, on_trunk, x, y] = row[led..] {
+            let force = Point::new(x, y);
+            let of_trunk = if part.is_finite() {
+                (on_trunk + plane::cross(boom * (1.0 - part), force)) / (1.0 - part)
+            } else {
+                plane::dot(force, Point::new(-boom.y, boom.x))
+            };
+            rope = [on_boom, of_trunk];
+        }
+        [work, rope[0] - of_boom, rope[1] - of_trunk[0], -of_trunk[1]]
     })
 }
 
