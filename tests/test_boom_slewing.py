@@ -197,10 +197,11 @@ def compared(request, tmp_path_factory):
         expected = points(boom_on_guide_and_link, (np.radians(25.0), 15.0), 250e3)
         return packed(path, "EllipsographMotion", folder), expected, 250e3, "phi"
     if request.param == "led":
+        text = LED.read_text(encoding="utf-8")
+        own = text[text.index("[luffing.dynamics]"):text.index("[luffing.limits]")]
         inertias = 'J_1 = "620000 kg.m2"\nJ_2 = "250000 kg.m2"\nJ_3 = "72000 kg.m2"\n'
-        path = inserted(LED, folder, ("[luffing]\n", '[luffing]\nfidelity = "swing"\n'), ('Q = "160 kN"', 'Q = "10 t"'),
-                        ("[luffing.limits]", moving(inertias, 1.7e6, 6.0) + TURNS + "[luffing.limits]"))
-        expected = points(double_link, (np.radians(60.0), 6.0), 1.7e6)
+        path = inserted(LED, folder, ('Q = "160 kN"', 'Q = "10 t"'), (own, moving(inertias, 1.7e6, 12.0) + TURNS))
+        expected = points(double_link, (np.radians(60.0), 12.0), 1.7e6)
         return packed(path, "LedRope", folder), expected, 1.7e6, "theta_1"
     inertias = 'J_b = "500000 kg.m2"\nJ_t = "150000 kg.m2"\n'
     text = TRUNK.read_text(encoding="utf-8")

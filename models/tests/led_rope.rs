@@ -430,7 +430,8 @@ fn ready_scene() {
         assert!(check.passed(), "{} {}", check.id, check.value);
     }
     assert!(summary(READY, "Delta_Y_Q") * 2.8 < summary(READY, "Delta_Y"));
-    let mut model = model(READY);
+    let still = READY.replace("fidelity = \"swing\"", "fidelity = \"static\"");
+    let mut model = model(&still);
     set(&mut model, "Q", 0.0);
     stand(&mut model, 1.5);
     assert_eq!(get(&mut model, "S_h"), 0.0);
