@@ -7,8 +7,8 @@ use crate::luffing::curved_trunk::position::TrunkPosition;
 use crate::luffing::curved_trunk::symbols as s;
 use crate::luffing::curved_trunk::tail::{TrunkChoice, TrunkTail};
 use crate::luffing::curved_trunk::velocity::TrunkTravel;
-use crate::luffing::led::path::LedBars;
 use crate::luffing::led::pull::Hauled;
+use crate::luffing::led::stretch::LedBars;
 use crate::parts::plane::{self, Point};
 
 /// The bar that carries the head.

@@ -12,7 +12,7 @@ use crate::luffing::curved_trunk::symbols as s;
 use crate::luffing::curved_trunk::tail::{TrunkChoice, TrunkTail};
 use crate::luffing::curved_trunk::velocity::{TrunkBend, TrunkTravel};
 use crate::luffing::led::moving::LedMoves;
-use crate::luffing::led::path::Reeved;
+use crate::luffing::led::reeved::Reeved;
 use crate::luffing::moving::bodies::{Asked, Body, MovedBody, Moves, hung};
 use crate::luffing::moving::reduced::{CoordinateNames, Reduced};
 use crate::luffing::moving::single::SingleBoom;

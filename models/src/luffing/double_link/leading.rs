@@ -7,8 +7,9 @@ use crate::luffing::double_link::parameters::Choice;
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::symbols as s;
 use crate::luffing::double_link::velocity::Velocity;
-use crate::luffing::led::path::{LedBars, Reeved, Stretch};
 use crate::luffing::led::pull::LedPull;
+use crate::luffing::led::reeved::Reeved;
+use crate::luffing::led::stretch::LedBars;
 use crate::parts::plane::Point;
 
 /// The bar that carries the head.
@@ -53,7 +54,7 @@ pub fn beginning<C: Calc>(g: &Geometry<C>, choice: &Choice) -> Found<LedBars<C>>
 /// The same at a position; `None` where a rope has no line to run along.
 pub fn hauled<C: Calc>(g: &Geometry<C>, led: &Reeved<C>, p: &Position<C>, q: C) -> Option<LedPull<C>> {
     let (bars, mut room) = (leads(g, p, &Velocity::new(p)), Vec::new());
-    Stretch::all(led, &bars, &mut room).ok()?;
+    led.stretches(&bars, &mut room).ok()?;
     Some(LedPull::new(led, &q, &bars, &room))
 }
 

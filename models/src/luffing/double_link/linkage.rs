@@ -13,7 +13,7 @@ use crate::luffing::double_link::leading::JIB;
 use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::parameters::{Driven, Parameters, Weights};
 use crate::luffing::double_link::position::Position;
-use crate::luffing::led::path::Reeved;
+use crate::luffing::led::reeved::Reeved;
 use crate::luffing::moving::bodies::{
     Asked, Bar, Body, MovedBody, Moves, Pendulum, hung, parts, turned_inertia, weighed_forward,
 };

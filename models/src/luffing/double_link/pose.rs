@@ -19,8 +19,8 @@ use crate::luffing::double_link::statics::Centres;
 use crate::luffing::double_link::symbols as g;
 use crate::luffing::double_link::system::height;
 use crate::luffing::led::moving::LedMoves;
-use crate::luffing::led::path::LedBars;
 use crate::luffing::led::pull::Hauled;
+use crate::luffing::led::stretch::LedBars;
 use crate::luffing::led::symbols as w;
 use crate::luffing::moving::balance_in_motion::{PosedCounterweight, named};
 use crate::luffing::moving::bodies::{

@@ -11,7 +11,7 @@ use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::leading::{height, rise};
 use crate::luffing::double_link::parameters::Parameters;
 use crate::luffing::double_link::position::Position;
-use crate::luffing::led::path::Reeved;
+use crate::luffing::led::reeved::Reeved;
 use crate::parts::motion::Motion;
 
 /// Rise of the load, in m: of A, unless its rope is led.

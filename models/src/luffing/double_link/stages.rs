@@ -44,8 +44,9 @@ use crate::luffing::double_link::symbols as g;
 use crate::luffing::double_link::unbalanced::{Unbalanced, UnbalancedCase};
 use crate::luffing::double_link::velocity::Velocity;
 use crate::luffing::led::fragments::{hauled, leading, led};
-use crate::luffing::led::path::{LedBars, Reeved};
 use crate::luffing::led::pull::RESULTS as LED;
+use crate::luffing::led::reeved::Reeved;
+use crate::luffing::led::stretch::LedBars;
 use crate::luffing::led::symbols as w;
 use crate::luffing::moving::control::acting;
 use crate::luffing::moving::fragments::{

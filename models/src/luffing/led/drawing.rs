@@ -1,14 +1,15 @@
 //! A led hoist rope to scale.
 
 use crate::component::draw::Draw;
-use crate::luffing::led::path::{LedBars, MOST, Reeved, Stretch};
+use crate::luffing::led::reeved::{MOST, Reeved};
+use crate::luffing::led::stretch::{LedBars, Stretch};
 
 const NAMES: [&str; MOST] = ["S_1", "S_2", "S_3", "S_4", "S_5", "S_6"];
 
 /// From the head over its sheaves, these with their names unless it is faint.
 pub fn rope(draw: &mut Draw, reeved: &Reeved<f64>, bars: &LedBars<f64>, faint: bool) {
     let mut stretched = Vec::new();
-    if Stretch::all(reeved, bars, &mut stretched).is_err() {
+    if reeved.stretches(bars, &mut stretched).is_err() {
         return;
     }
     let places = stretched.iter().map(Stretch::place);

@@ -4,9 +4,9 @@
 macro_rules! led {
     (() $($to:tt)*) => {
         $crate::component::fragments::composed! { @with {
-            Parameter rope: Option<$crate::luffing::led::path::LedFalls<C>>,
-            Parameter sheaves: Vec<$crate::luffing::led::path::Sheave<C>>,
-            Fixed leading: $crate::luffing::led::path::Leading,
+            Parameter rope: Option<$crate::luffing::led::reeved::LedFalls<C>>,
+            Parameter sheaves: Vec<$crate::luffing::led::stretch::Sheave<C>>,
+            Fixed leading: $crate::luffing::led::reeved::Leading,
         } $($to)* }
     };
 }
@@ -18,8 +18,8 @@ macro_rules! leading {
     (($omega:ident) $($to:tt)*) => {
         $crate::component::fragments::composed! { @with {
             begun: $crate::luffing::led::path::LedStart<C> = $crate::luffing::led::path::LedStart::new(reeved, beginning);
-            stretched[sheaves]: Vec<$crate::luffing::led::path::Stretch<C>> =
-                $crate::luffing::led::path::Stretch::all(reeved, leads);
+            stretched[sheaves]: Vec<$crate::luffing::led::stretch::Stretch<C>> =
+                $crate::luffing::led::reeved::Reeved::stretches(reeved, leads);
             led: $crate::luffing::led::path::LedRope<C> =
                 $crate::luffing::led::path::LedRope::new(reeved, begun, leads, stretched);
             rising: C = $crate::luffing::led::path::LedRope::v_q(led, $omega) => V_Q;

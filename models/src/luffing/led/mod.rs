@@ -3,9 +3,9 @@
 //!
 //! | id | function | source |
 //! |---|---|---|
-//! | `led.stretch` | [`path::Stretch::all`] | derived |
+//! | `led.stretch` | [`stretch::Stretch::new`], [`reeved::Reeved::stretches`] | derived |
 //! | `led.rope` | [`path::LedStart::new`], [`path::LedRope::new`] | Ports001, 5.9.2.4 |
-//! | `led.moves` | [`path::Reeved::moves`] | derived |
+//! | `led.moves` | [`reeved::Reeved::moves`] | derived |
 //! | `led.pull` | [`pull::LedPull::new`] | Ports001, 5.9.2.4, by equilibrium |
 
 pub mod drawing;
@@ -14,5 +14,7 @@ pub mod moving;
 pub mod outline;
 pub mod path;
 pub mod pull;
+pub mod reeved;
 pub mod scene;
+pub mod stretch;
 pub mod symbols;

@@ -1,8 +1,9 @@
 //! What luffing does to a led hoist rope in motion, by what its sheaves do. [Ports001, 5.9.2.4]
 
 use crate::kernel::calc::{Calc, Over};
-use crate::luffing::led::path::{LedBars, Reeved, Sheave};
 use crate::luffing::led::pull::{Hauled, haul};
+use crate::luffing::led::reeved::Reeved;
+use crate::luffing::led::stretch::{LedBars, Sheave};
 use crate::luffing::led::symbols as s;
 use crate::luffing::moving::symbols as m;
 use crate::luffing::resistances::placed::BARS;

@@ -3,7 +3,8 @@
 use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::symbol::Symbol;
-use crate::luffing::led::path::{LedBars, Reeved, Stretch};
+use crate::luffing::led::reeved::Reeved;
+use crate::luffing::led::stretch::{LedBars, Stretch};
 use crate::luffing::led::symbols as s;
 use crate::luffing::resistances::placed::BARS;
 use crate::parts::plane::{self, Point, cross};

@@ -14,7 +14,7 @@ use crate::luffing::double_link::moving::symbols as m;
 use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::parameters::{Parameters, Weights};
 use crate::luffing::double_link::pose::Posing;
-use crate::luffing::led::path::Reeved;
+use crate::luffing::led::reeved::Reeved;
 use crate::luffing::moving::bodies::Body;
 use crate::luffing::moving::built::{HoistParts, LevelParts, Outfit};
 use crate::luffing::moving::dynamics::{Coordinate, Dynamics};

@@ -21,7 +21,7 @@ use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::parameters::{Choice, Parameters};
 use crate::luffing::double_link::pose::Posing;
 use crate::luffing::double_link::resisting::OfLink;
-use crate::luffing::led::path::Reeved;
+use crate::luffing::led::reeved::Reeved;
 use crate::luffing::moving::built::Outfit;
 use crate::luffing::moving::dynamics::Coordinate;
 use crate::luffing::moving::exposed::Exposed;
