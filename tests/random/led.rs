@@ -27,6 +27,8 @@ pub fn led(n: &mut Node, bars: &[(&'static str, f64, f64)], size: f64) {
             y * room,
         ));
     }
+    // As far as a scene may have it.
+    let size = size.min(1e5);
     let (x, y) = (rope.draw.between(-9.0, -5.0), rope.draw.between(-1.0, 1.0));
     all.push(sheave("frame", x * size, y * size));
     rope.put("sheave", all);

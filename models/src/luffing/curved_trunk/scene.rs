@@ -26,6 +26,7 @@ use crate::luffing::at_rest::at_rest;
 use crate::luffing::boom_scene::{INTERPOLATION, MOVING_FIDELITY, balance_work, begun, motion, vanishing};
 use crate::luffing::counterweight::chapter;
 use crate::luffing::curved_trunk::drawing::drawing;
+use crate::luffing::curved_trunk::leading::TRUNK;
 use crate::luffing::curved_trunk::moving::TrunkInertias;
 use crate::luffing::curved_trunk::outline::OUTLINE;
 use crate::luffing::curved_trunk::pins::slack;
@@ -247,7 +248,7 @@ impl Described for CurvedTrunk {
     fn check(this: &mut Description<CurvedTrunk>, v: &Values, found: &mut Vec<Diagnostic>) {
         let mut model = this.standing();
         told::check::<CurvedTrunkBoom>(&model, &this.cases, v, found);
-        this.led.check(&model, v, found);
+        this.led.check(&model, TRUNK, v, found);
         if this.moving.is_some() {
             drive::hauling::check(&mut model, v, found);
         }

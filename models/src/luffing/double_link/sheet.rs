@@ -28,7 +28,7 @@ use crate::luffing::double_link::balancing::{self, boom};
 use crate::luffing::double_link::drawing::drawing;
 use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::keys::KEYS;
-use crate::luffing::double_link::leading::{hauled, rise};
+use crate::luffing::double_link::leading::{JIB, hauled, rise};
 use crate::luffing::double_link::moving;
 use crate::luffing::double_link::outline::{FOLLOWED, OUTLINE, VOCABULARY};
 use crate::luffing::double_link::parameters::{Choice, Driven, Jib};
@@ -109,7 +109,7 @@ impl Described for LuffingScene {
     fn check(luffing: &mut Luffing, v: &Values, found: &mut Vec<Diagnostic>) {
         let mut standing = luffing.standing();
         resistances::told::check::<DoubleLink>(&standing, &luffing.cases, v, found);
-        luffing.led.check(&standing, v, found);
+        luffing.led.check(&standing, JIB, v, found);
         if luffing.moving.is_some() {
             drive::hauling::check(&mut standing, v, found);
         }

@@ -42,8 +42,9 @@ static SHEAVE: &[Key] = keys! { s:
 /// Name of what carries all bars.
 const FRAME: &str = "frame";
 
-/// Least length of rope between two sheaves, as a part of the whole rope: nearer, no sheaves have room.
-const NEAREST: f64 = 1e-3;
+/// Least length of rope between two sheaves on one bar and on two, which move towards each other, as a part of the whole rope: nearer,
+/// no sheaves have room.
+const NEAREST: [f64; 2] = [1e-9, 1e-3];
 
 /// A led rope as a scene has it; nothing of one that it does not have.
 #[derive(Clone, Debug, Default)]
@@ -100,8 +101,9 @@ impl Led {
         self.falls.map(|_| ["led_rope"].into_iter().chain(swings).collect())
     }
 
-    /// Whether sheaves have room between them over the whole working range; mistakes go to `found`.
-    pub fn check(&self, model: &Standing, v: &Values, found: &mut Vec<Diagnostic>) {
+    /// Whether sheaves have room between them over the whole working range, and from the head, which a bar carries; mistakes go to
+    /// `found`.
+    pub fn check(&self, model: &Standing, carries: usize, v: &Values, found: &mut Vec<Diagnostic>) {
         if self.falls.is_none() {
             return;
         }
@@ -116,8 +118,15 @@ impl Led {
             model.set(0, phi).ok()?;
             // What has no length is no result.
             let mut length = |index: &usize| model.get(*index).unwrap_or(0.0);
-            let least = NEAREST * length(&whole[0]);
-            let place = each.iter().position(|index| length(index) <= least)?;
+            let whole = length(&whole[0]);
+            let from = [carries].into_iter().chain(self.leading.0);
+            let least = from
+                .zip(self.leading.0)
+                .map(|(one, other)| NEAREST[usize::from(one != other)] * whole);
+            let place = each
+                .iter()
+                .zip(least)
+                .position(|(index, least)| length(index) <= least)?;
             Some((place, length(&each[place]), phi))
         });
         let Some((place, length, phi)) = near else { return };
