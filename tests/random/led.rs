@@ -8,6 +8,10 @@ use crate::scene::Node;
 /// Of bars by their names, each with where a joint lies along it and how far around that sheaves may be (m), and of the size of the
 /// whole (m).
 pub fn led(n: &mut Node, bars: &[(&'static str, f64, f64)], size: f64) {
+    // No farther than a scene may have it.
+    if size > 1e5 {
+        n.remove(&["rope"]);
+    }
     let Some(mut rope) = n.child("rope") else { return };
     let (on, along, room) = rope.draw.pick(bars);
     let sheave = |on: &str, x: f64, y: f64| {
@@ -27,8 +31,6 @@ pub fn led(n: &mut Node, bars: &[(&'static str, f64, f64)], size: f64) {
             y * room,
         ));
     }
-    // As far as a scene may have it.
-    let size = size.min(1e5);
     let (x, y) = (rope.draw.between(-9.0, -5.0), rope.draw.between(-1.0, 1.0));
     all.push(sheave("frame", x * size, y * size));
     rope.put("sheave", all);
