@@ -436,3 +436,66 @@ fn ready_scene() {
     assert_eq!(get(&mut model, "S_h"), 0.0);
     assert!(model.set(index(&model, "m_h"), 0.0).is_err());
 }
+
+/// At rest, its brake holding the crane, pins and rope carry in motion what they carry at a level that stands still.
+#[test]
+fn motion_at_rest() {
+    let rigid = without(
+        &READY.replace("fidelity = \"swing\"", "fidelity = \"rigid\""),
+        "[luffing.hoisting]",
+    );
+    let still = without(&without(READY, "[luffing.dynamics]"), "[luffing.hoisting]");
+    let mut still = model(&still.replace("fidelity = \"swing\"", "fidelity = \"static\""));
+    for moving in [READY, &rigid] {
+        let mut moving = model(moving);
+        for theta in [60.0_f64, 75.0, 90.0, 104.0, 120.0] {
+            let theta = theta.to_radians();
+            stand(&mut still, theta);
+            set(&mut moving, "theta_1", theta);
+            moving.update().expect("it stands there");
+            for name in [
+                "S_h", "F_r2.x", "F_r2.y", "F_B.x", "F_B.y", "F_C.x", "F_C.y", "F_O3.x", "F_O3.y", "N_3",
+            ] {
+                let [found, wanted] = [&mut moving, &mut still].map(|model| get(model, name));
+                assert!(wanted != 0.0, "{name}");
+                near(found, wanted, 1e-12 * 2e6);
+            }
+            let [found, wanted] = [&mut moving, &mut still].map(|model| get(model, "M_r2"));
+            near(found, wanted, 1e-12 * 2e7);
+        }
+    }
+}
+
+/// A scene with its lengths named by where they are wrong.
+#[test]
+fn refusals() {
+    let refused = |text: &str| {
+        let found = Scene::parse(text).expect_err("refused");
+        found
+            .into_iter()
+            .map(|mistake| mistake.message)
+            .collect::<Vec<_>>()
+            .join("; ")
+    };
+    let swinging = READY.replace("l_R = \"12 m\"", "l_R = \"11 m\"");
+    assert_eq!(
+        refused(&swinging),
+        "h_Q = 12 m where l_R = 11 m: the load hangs at two places"
+    );
+    let meets = led(
+        CRANE,
+        2.0,
+        &[("boom", [19.3, 0.0]), ("jib", [0.0, 1e-3]), ("frame", [-6.0, 5.0])],
+    );
+    assert!(
+        refused(&meets).starts_with("sheave 2 of the hoist rope comes within"),
+        "{}",
+        refused(&meets)
+    );
+    let at_the_head = led(TRUNK, 2.0, &[("trunk", [14.2, 0.0]), ("frame", [-6.0, 5.0])]);
+    assert!(
+        refused(&at_the_head).starts_with("sheave 1 of the hoist rope comes within 0"),
+        "{}",
+        refused(&at_the_head)
+    );
+}
