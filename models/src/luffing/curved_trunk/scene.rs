@@ -248,7 +248,11 @@ impl Described for CurvedTrunk {
     fn check(this: &mut Description<CurvedTrunk>, v: &Values, found: &mut Vec<Diagnostic>) {
         let mut model = this.standing();
         told::check::<CurvedTrunkBoom>(&model, &this.cases, v, found);
+        let before = found.len();
         this.led.check(&model, TRUNK, v, found);
+        if found.len() > before {
+            return;
+        }
         if this.moving.is_some() {
             drive::hauling::check(&mut model, v, found);
         }
