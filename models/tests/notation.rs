@@ -37,6 +37,7 @@ const TABLES: [(&str, &[&Symbol]); 42] = [
     ("Teeth", teeth::ALL),
     ("Strength of a luffing drive", luffing::strength::symbols::ALL),
     ("The boom on a luffing rope", luffing::rope::symbols::ALL),
+    ("A hoist rope led over sheaves", luffing::led::symbols::ALL),
     ("The boom on guide and link", luffing::ellipsograph::symbols::ALL),
     ("The boom with a curved trunk", luffing::curved_trunk::symbols::ALL),
     ("The joint by which a crane slews", turntable::ALL),
