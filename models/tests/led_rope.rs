@@ -217,8 +217,8 @@ fn by_hand() {
     // dL_r: the boom's head moves by (-19.3, 0) for one radian, along the rope from S, (1, 0): -19.3; y'_Q = y'_A - 9.65.
     let mut model = model(&led(CRANE, 2.0, &[("boom", [19.3, 0.0]), ("frame", [-3.0, 19.3])]));
     stand(&mut model, 90f64.to_radians());
-    near(get(&mut model, "l_r[1]"), 16.0, 1e-12);
-    near(get(&mut model, "l_r[2]"), 3.0, 1e-12);
+    near(get(&mut model, "l_rs[1]"), 16.0, 1e-12);
+    near(get(&mut model, "l_rs[2]"), 3.0, 1e-12);
     near(get(&mut model, "L_led"), 19.0, 1e-12);
     near(get(&mut model, "L_led_a"), 28.911_561, 1e-6);
     near(get(&mut model, "c_Q"), -20.455_780, 1e-6);

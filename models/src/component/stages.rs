@@ -319,10 +319,9 @@ macro_rules! stages {
             use $crate::kernel::group::Group;
             use $crate::kernel::variable::Quantity;
 
-            /// Groups, then stages, by their numbers.
+            /// Groups, then stages, by their numbers; and stages by theirs, which are their bits.
             #[derive(Clone, Copy)]
             enum Bit { $($source,)* $($stage,)* End }
-            /// Stages by theirs, which are their bits.
             enum At { $($stage,)* End }
             const GROUPS: usize = [$(Bit::$source as usize),*].len();
             const BITS: usize = Bit::End as usize;

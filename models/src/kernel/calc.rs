@@ -135,9 +135,15 @@ pub trait Calc:
     }
 
     /// Runs the equations of one of several bodies, numbered from 0. The recorder writes down those of the body that it
-    /// was asked for, and never those of `usize::MAX`.
+    /// was asked for.
     #[inline]
     fn body<T>(_: usize, equations: impl FnOnce() -> T) -> T {
+        equations()
+    }
+
+    /// Runs equations of which the recorder writes down none.
+    #[inline]
+    fn aside<T>(equations: impl FnOnce() -> T) -> T {
         equations()
     }
 }

@@ -362,6 +362,15 @@ impl Takes<Rec> for Dual64 {
     }
 }
 
+/// Runs equations, written down or not.
+fn held<T>(silent: bool, equations: impl FnOnce() -> T) -> T {
+    let hold = |silent| TRACE.with_borrow_mut(|trace| std::mem::replace(&mut trace.silent, silent));
+    let before = hold(silent);
+    let found = equations();
+    hold(before);
+    found
+}
+
 impl Calc for Rec {
     fn constant(value: f64) -> Rec {
         TRACE.with_borrow_mut(|trace| trace.push(Node::Constant(value), value, Powers::ONE))
@@ -451,11 +460,10 @@ impl Calc for Rec {
         })
     }
     fn body<T>(number: usize, equations: impl FnOnce() -> T) -> T {
-        let hold = |silent| TRACE.with_borrow_mut(|trace| std::mem::replace(&mut trace.silent, silent));
-        let other = TRACE.with_borrow(|trace| number == usize::MAX || trace.only.is_some_and(|only| only != number));
-        let before = hold(other);
-        let found = equations();
-        hold(before);
-        found
+        let other = TRACE.with_borrow(|trace| trace.only.is_some_and(|only| only != number));
+        held(other, equations)
+    }
+    fn aside<T>(equations: impl FnOnce() -> T) -> T {
+        held(true, equations)
     }
 }

@@ -17,12 +17,12 @@ use crate::luffing::curved_trunk::symbols as s;
 use crate::luffing::curved_trunk::tail::{Leaving, TrunkTail};
 use crate::luffing::curved_trunk::velocity::TrunkTravel;
 use crate::luffing::led::drawing::rope;
-use crate::luffing::led::scene::Led;
+use crate::luffing::led::scene::LedRopeScene;
 use crate::parts::motion::Motion;
 use crate::parts::plane::{self, Point};
 
 /// At the ends of the working range (faint) and where it is told of, with tail, tie and the path of the head.
-pub fn drawing(given: &Given<f64>, led: &Led, driven: &Driving, range: &Motion, told: f64) -> Drawing {
+pub fn drawing(given: &Given<f64>, led: &LedRopeScene, driven: &Driving, range: &Motion, told: f64) -> Drawing {
     let Given { trunk, arc, choice, .. } = given;
     let (o1, o3) = (Point::zeros(), Point::new(trunk.o3_x, trunk.o3_y));
     let tail = TrunkTail::new(trunk, arc, choice).expect("checked when the scene was read");

@@ -33,7 +33,7 @@ pub fn leads<C: Calc>(position: &TrunkPosition<C>, travel: &TrunkTravel<C>, phi:
 /// # Errors
 /// A tie that does not reach there.
 pub fn beginning<C: Calc>(tail: &TrunkTail<C>, choice: &TrunkChoice) -> Found<LedBars<C>> {
-    C::body(usize::MAX, || {
+    C::aside(|| {
         let from = C::known(&s::FROM, choice.range.from);
         let position = TrunkPosition::new(tail, &Contact::new(tail, choice, &from)?);
         Ok(leads(&position, &TrunkTravel::new(&position), &from))

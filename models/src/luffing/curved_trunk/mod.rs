@@ -29,7 +29,7 @@
 //! | `curved_trunk.pole` | [`velocity::pole`] | Ports001, 5.2.3.3 |
 //! | `curved_trunk.load_moment` | [`statics::TrunkLoad::new`] | Ports001, 5.9, by virtual work and by the instantaneous centre |
 //! | `curved_trunk.weight_moment` | [`statics::TrunkWeight::new`] | by virtual work |
-//! | `curved_trunk.led_rope` | [`leading::leads`], [`leading::pulled`], [`crate::luffing::led`] | Ports001, 5.9.2.4 |
+//! | `curved_trunk.led_rope` | [`leading::leads`], [`crate::luffing::led`] | Ports001, 5.9.2.4 |
 //! | `curved_trunk.pins` | [`pins::TrunkPins::new`], [`pins::TrunkBearing::new`] | by equilibrium of trunk and boom |
 //! | `curved_trunk.drive` | [`driving::bar`], [`crate::drive::line::Drive::new`] | derived |
 //! | `curved_trunk.motion` | [`moving::Trunked`], [`velocity::TrunkBend::new`] | Lagrange, in closed form over the point of contact |

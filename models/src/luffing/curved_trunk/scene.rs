@@ -35,7 +35,7 @@ use crate::luffing::curved_trunk::stages::{CurvedTrunkBoom, Given};
 use crate::luffing::curved_trunk::statics::TrunkWeights;
 use crate::luffing::curved_trunk::symbols as s;
 use crate::luffing::curved_trunk::tail::{TailArc, Trunk, TrunkChoice};
-use crate::luffing::led::scene::{Led, ROPE};
+use crate::luffing::led::scene::{LedRopeScene, ROPE};
 use crate::luffing::led::symbols as w;
 use crate::luffing::moving;
 use crate::luffing::moving::control::luffing::CONTROL;
@@ -141,7 +141,7 @@ pub struct CurvedTrunk {
     /// At the start of the working range.
     pub(super) given: Given<f64>,
     driving: Driving,
-    led: Led,
+    led: LedRopeScene,
     /// At a level that moves by itself.
     pub(super) moving: Option<Moving>,
     /// Published results of the balance.
@@ -202,7 +202,7 @@ impl Described for CurvedTrunk {
             outlasts(v, moving, &range, [listed!(s: B, A, X_8), listed!(s: G_B, G_T)], found);
         }
         let cases = Cases::read(v, &resisting::PARTS, balance.as_ref(), gravity, found);
-        let led = Led::read(v, resisting::PARTS.bodies, moving.as_ref(), found);
+        let led = LedRopeScene::read(v, resisting::PARTS.bodies, moving.as_ref(), found);
         let given = at_rest! { (cases, driving) without [motor];
             phi: One(&b::PHI, range.from),
             omega: One(&s::OMEGA, range.speed),

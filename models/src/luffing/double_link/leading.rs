@@ -44,7 +44,7 @@ pub fn leads<C: Calc>(g: &Geometry<C>, p: &Position<C>, v: &Velocity<C>) -> LedB
 /// # Errors
 /// A linkage that does not close there.
 pub fn beginning<C: Calc>(g: &Geometry<C>, choice: &Choice) -> Found<LedBars<C>> {
-    let found = C::body(usize::MAX, || {
+    let found = C::aside(|| {
         let p = Position::new(g, C::known(&s::FROM, choice.range.from))?;
         Some(leads(g, &p, &Velocity::new(&p)))
     });

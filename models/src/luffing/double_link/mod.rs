@@ -22,7 +22,7 @@
 //! | `lemniscate.velocity` | [`velocity::Velocity::new`] | Li2022, eq. 9-10, by the loop |
 //! | `lemniscate.pole` | [`pole::Pole::new`] | Li2022, eq. 1-2 |
 //! | `lemniscate.luffing_moment` | [`statics::LoadMoment::new`], [`pole::Pole::moment`] | Li2022, eq. 11 |
-//! | `lemniscate.led_rope` | [`leading::leads`], [`leading::pulled`], [`crate::luffing::led`] | Ports001, 5.9.2.4 |
+//! | `lemniscate.led_rope` | [`leading::leads`], [`crate::luffing::led`] | Ports001, 5.9.2.4 |
 //! | `lemniscate.weight_moment` | [`statics::Own::new`] | Balance004, eq. 1 |
 //! | `lemniscate.pin_forces` | [`pin_forces::PinForces::new`] | equilibrium |
 //! | `lemniscate.balance` | [`balancing::at`] | [`crate::balance`] |

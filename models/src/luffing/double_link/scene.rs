@@ -20,7 +20,7 @@ use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::resisting;
 use crate::luffing::double_link::stages::closes;
 use crate::luffing::double_link::symbols as s;
-use crate::luffing::led::scene::Led;
+use crate::luffing::led::scene::LedRopeScene;
 use crate::luffing::moving::scene::{brisk, outlasts};
 use crate::luffing::resistances::scene::Cases;
 use crate::luffing::with_balance::complete;
@@ -54,7 +54,7 @@ pub struct LuffingScene {
     /// What is left of its moment over the working range, where it has a balance.
     pub analysed: Option<Analysis>,
     pub cases: Cases,
-    pub led: Led,
+    pub led: LedRopeScene,
 }
 
 impl LuffingScene {
@@ -122,7 +122,7 @@ impl LuffingScene {
             let most = [listed!(s: X_1, X_4, X_8), listed!(s: G_1, G_2, G_3)];
             outlasts(v, moving, motion, most.map(|list| &list[..]), found);
         }
-        let led = Led::read(v, resisting::PARTS.bodies, moving.as_deref(), found);
+        let led = LedRopeScene::read(v, resisting::PARTS.bodies, moving.as_deref(), found);
         let moves = moving.as_ref().map(|_| &drive::TURNED_LINE[..]);
         drive::fits(v, driving.gear.as_ref(), (moves, loaded), found);
         let theta = parameters.driven.coordinate();

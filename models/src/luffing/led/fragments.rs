@@ -18,7 +18,7 @@ macro_rules! leading {
     (($omega:ident) $($to:tt)*) => {
         $crate::component::fragments::composed! { @with {
             begun: $crate::luffing::led::path::LedStart<C> = $crate::luffing::led::path::LedStart::new(reeved, beginning);
-            stretched[sheaves]: Vec<$crate::luffing::led::stretch::Stretch<C>> =
+            stretched[sheaves]: Vec<$crate::luffing::led::stretch::LedStretch<C>> =
                 $crate::luffing::led::reeved::Reeved::stretches(reeved, leads);
             led: $crate::luffing::led::path::LedRope<C> =
                 $crate::luffing::led::path::LedRope::new(reeved, begun, leads, stretched);

@@ -3,7 +3,7 @@
 //!
 //! | id | function | source |
 //! |---|---|---|
-//! | `led.stretch` | [`stretch::Stretch::new`], [`reeved::Reeved::stretches`] | derived |
+//! | `led.stretch` | [`stretch::LedStretch::new`], [`reeved::Reeved::stretches`] | derived |
 //! | `led.rope` | [`path::LedStart::new`], [`path::LedRope::new`] | Ports001, 5.9.2.4 |
 //! | `led.moves` | [`reeved::Reeved::moves`] | derived |
 //! | `led.pull` | [`pull::LedPull::new`] | Ports001, 5.9.2.4, by equilibrium |

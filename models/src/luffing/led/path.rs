@@ -3,7 +3,7 @@
 use crate::component::stages::{Found, results};
 use crate::kernel::calc::Calc;
 use crate::luffing::led::reeved::Reeved;
-use crate::luffing::led::stretch::{LedBars, Stretch};
+use crate::luffing::led::stretch::{LedBars, LedStretch};
 
 /// Quantities of the led rope and its load.
 mod s {
@@ -25,10 +25,12 @@ impl<C: Calc> LedStart<C> {
     /// h_Q below the head: c_Q = −h_Q − L_r / m_h. [Ports001, 5.9.2.4]
     ///
     /// # Errors
-    /// As [`Stretch::new`].
+    /// As [`LedStretch::new`].
     pub fn new(reeved: &Reeved<C>, bars: &LedBars<C>) -> Found<LedStart<C>> {
         let falls = &reeved.falls;
-        let length = C::body(usize::MAX, || reeved.sum(bars, |stretch| stretch.length))?.tabled(&s::L_LEDA);
+        let length = C::aside(|| reeved.sum(bars, |stretch| stretch.length))?
+            .tabled(&s::L_LEDA)
+            .def(&s::L_LEDA);
         Ok(LedStart {
             c_q: (-falls.h_q - length / falls.m_h).def(&s::C_Q),
             length,
@@ -49,9 +51,9 @@ results! { LedRope as p => { L_LED: p.length; Y_Q: p.y_q; } }
 
 impl<C: Calc> LedRope<C> {
     /// y_Q = y_A + L_r / m_h + c_Q, y′_Q = y′_A + L′_r / m_h. [Ports001, 5.9.2.4]
-    pub fn new(reeved: &Reeved<C>, start: &LedStart<C>, bars: &LedBars<C>, stretched: &[Stretch<C>]) -> LedRope<C> {
+    pub fn new(reeved: &Reeved<C>, start: &LedStart<C>, bars: &LedBars<C>, stretched: &[LedStretch<C>]) -> LedRope<C> {
         let falls = &reeved.falls;
-        let all = |of: fn(&Stretch<C>) -> C| stretched.iter().map(of).fold(C::constant(0.0), |sum, one| sum + one);
+        let all = |of: fn(&LedStretch<C>) -> C| stretched.iter().map(of).fold(C::constant(0.0), |sum, one| sum + one);
         let length = all(|stretch| stretch.length).def(&s::L_LED);
         let change = all(|stretch| stretch.change).def(&s::DL_LED);
         LedRope {

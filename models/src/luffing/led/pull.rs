@@ -4,7 +4,7 @@ use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::symbol::Symbol;
 use crate::luffing::led::reeved::Reeved;
-use crate::luffing::led::stretch::{LedBars, Stretch};
+use crate::luffing::led::stretch::{LedBars, LedStretch};
 use crate::luffing::led::symbols as s;
 use crate::luffing::resistances::placed::BARS;
 use crate::parts::plane::{self, Point, cross};
@@ -65,8 +65,8 @@ const NAMES: [[&Symbol; 3]; BARS] = [
 ];
 
 /// Adds what one newton in a stretch does to the bars at its ends, which it pulls together; two points of one bar feel nothing.
-pub fn haul<C: Calc>(each: &mut [Hauled<C>; BARS], bars: &LedBars<C>, stretch: &Stretch<C>) {
-    let Stretch { ends, on, along, .. } = stretch;
+pub fn haul<C: Calc>(each: &mut [Hauled<C>; BARS], bars: &LedBars<C>, stretch: &LedStretch<C>) {
+    let LedStretch { ends, on, along, .. } = stretch;
     if on[0] == on[1] {
         return;
     }
@@ -114,7 +114,7 @@ pub fn results<C: Calc>(s_h: C, on: &[Hauled<C>; BARS]) -> [C; RESULTS.len()] {
 impl<C: Calc> LedPull<C> {
     /// S_h = Q / m_h, the same in the whole rope: without losses a sheave is pulled both ways by it, and the head towards
     /// the first one.
-    pub fn new(reeved: &Reeved<C>, q: &C, bars: &LedBars<C>, stretched: &[Stretch<C>]) -> LedPull<C> {
+    pub fn new(reeved: &Reeved<C>, q: &C, bars: &LedBars<C>, stretched: &[LedStretch<C>]) -> LedPull<C> {
         let mut each = Hauled::nothing();
         stretched.iter().for_each(|stretch| haul(&mut each, bars, stretch));
         let s_h = (*q / reeved.falls.m_h).def(&s::S_H);

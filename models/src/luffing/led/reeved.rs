@@ -12,7 +12,7 @@
 use crate::component::stages::Found;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::{group, quantities};
-use crate::luffing::led::stretch::{LedBars, Sheave, Stretch};
+use crate::luffing::led::stretch::{LedBars, LedStretch, Sheave};
 use crate::luffing::resistances::placed::BARS;
 
 /// Quantities of the led rope and of the tackle that carries the load.
@@ -81,11 +81,11 @@ impl<C: Calc> Reeved<C> {
     ///
     /// # Errors
     /// A sheave where the rope comes from.
-    pub(super) fn run(&self, bars: &LedBars<C>, mut each: impl FnMut(Stretch<C>)) -> Found<()> {
+    pub(super) fn run(&self, bars: &LedBars<C>, mut each: impl FnMut(LedStretch<C>)) -> Found<()> {
         let (mut from, mut carried) = ([bars.head, bars.travel], bars.carries);
         for (number, sheave, on) in self.each() {
             let to = bars.sheave(on, sheave, number);
-            each(Stretch::new([from, to], [carried, on], number)?);
+            each(LedStretch::new([from, to], [carried, on], number)?);
             (from, carried) = (to, on);
         }
         Ok(())
@@ -94,8 +94,8 @@ impl<C: Calc> Reeved<C> {
     /// What the rope runs over, in the order in which it runs from the head.
     ///
     /// # Errors
-    /// As [`Stretch::new`].
-    pub fn stretches(&self, bars: &LedBars<C>, room: &mut Vec<Stretch<C>>) -> Found<()> {
+    /// As [`LedStretch::new`].
+    pub fn stretches(&self, bars: &LedBars<C>, room: &mut Vec<LedStretch<C>>) -> Found<()> {
         room.clear();
         self.run(bars, |stretch| room.push(stretch))
     }
@@ -103,7 +103,7 @@ impl<C: Calc> Reeved<C> {
     /// Its length from the head to the frame, in m, over the falls of its tackle.
     ///
     /// # Errors
-    /// As [`Stretch::new`].
+    /// As [`LedStretch::new`].
     pub fn raised(&self, bars: &LedBars<C>) -> Found<C> {
         Ok(self.sum(bars, |stretch| stretch.length)? / self.falls.m_h)
     }
@@ -111,12 +111,12 @@ impl<C: Calc> Reeved<C> {
     /// How that changes for one radian of the luffing angle, in m.
     ///
     /// # Errors
-    /// As [`Stretch::new`].
+    /// As [`LedStretch::new`].
     pub fn rises(&self, bars: &LedBars<C>) -> Found<C> {
         Ok(self.sum(bars, |stretch| stretch.change)? / self.falls.m_h)
     }
 
-    pub(super) fn sum(&self, bars: &LedBars<C>, of: fn(&Stretch<C>) -> C) -> Found<C> {
+    pub(super) fn sum(&self, bars: &LedBars<C>, of: fn(&LedStretch<C>) -> C) -> Found<C> {
         let mut sum = C::constant(0.0);
         self.run(bars, |stretch| sum += of(&stretch))?;
         Ok(sum)

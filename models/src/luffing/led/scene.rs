@@ -48,13 +48,13 @@ const NEAREST: [f64; 2] = [1e-9, 1e-3];
 
 /// A led rope as a scene has it; nothing of one that it does not have.
 #[derive(Clone, Debug, Default)]
-pub struct Led {
+pub struct LedRopeScene {
     pub falls: Option<LedFalls<f64>>,
     pub sheaves: Vec<Sheave<f64>>,
     pub leading: Leading,
 }
 
-impl Led {
+impl LedRopeScene {
     /// As it is reeved, where there is one.
     #[must_use]
     pub fn reeved(&self) -> Option<Reeved<f64>> {
@@ -63,9 +63,9 @@ impl Led {
     }
 
     /// Of a checked mechanism's table, whose bars have these names; mistakes go to `found`.
-    pub fn read(v: &Values, bars: &[&str], moving: Option<&Moving>, found: &mut Vec<Diagnostic>) -> Led {
+    pub fn read(v: &Values, bars: &[&str], moving: Option<&Moving>, found: &mut Vec<Diagnostic>) -> LedRopeScene {
         let Some(table) = v.table("rope") else {
-            return Led::default();
+            return LedRopeScene::default();
         };
         if let Some(moving) = moving {
             found.extend(elsewhere(Some(table), s::H_Q.id, moving));
@@ -73,9 +73,9 @@ impl Led {
             found.extend(unled(v, moving));
         }
         let known: Vec<&str> = bars.iter().copied().chain([FRAME]).collect();
-        let mut led = Led {
+        let mut led = LedRopeScene {
             falls: LedFalls::read(table),
-            ..Led::default()
+            ..LedRopeScene::default()
         };
         let tables = table.tables("sheave");
         for (sheave, on) in tables.iter().zip(&mut led.leading.0) {
@@ -113,7 +113,7 @@ impl Led {
             all.filter(move |(_, variable)| variable.symbol == symbol)
                 .map(|(index, _)| index)
         };
-        let (each, whole): (Vec<usize>, Vec<usize>) = (of(&s::L_RI).collect(), of(&s::L_LED).collect());
+        let (each, whole): (Vec<usize>, Vec<usize>) = (of(&s::L_RS).collect(), of(&s::L_LED).collect());
         let near = fine(&range).find_map(|phi| {
             model.set(0, phi).ok()?;
             // What has no length is no result.
@@ -133,7 +133,7 @@ impl Led {
         let what = format!(
             "sheave {} of the hoist rope comes within {} of where the rope comes from, at {}",
             place + 1,
-            s::L_RI.written(length),
+            s::L_RS.written(length),
             degrees(phi)
         );
         let help = "move the sheave, or keep the working range away from there";

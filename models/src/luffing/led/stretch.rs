@@ -61,7 +61,7 @@ impl<C: Calc> LedBars<C> {
 
 /// The rope before a sheave, from the sheave before or the head.
 #[derive(Clone, Copy, Debug)]
-pub struct Stretch<C> {
+pub struct LedStretch<C> {
     /// Its ends, the one towards the head first, and what each of these is on.
     pub ends: [Point<C>; 2],
     pub on: [usize; 2],
@@ -71,29 +71,29 @@ pub struct Stretch<C> {
     /// Change of its length for one radian of the luffing angle, in m.
     pub change: C,
 }
-results! { each Stretch as p => { S_RX: p.ends[1].x; S_RY: p.ends[1].y; L_RI: p.length; } }
+results! { each LedStretch as p => { S_RX: p.ends[1].x; S_RY: p.ends[1].y; L_RS: p.length; } }
 
-impl<C: Calc> Stretch<C> {
+impl<C: Calc> LedStretch<C> {
     /// l_r = |S_i − S_(i−1)|, l′_r = (S′_i − S′_(i−1)) · (S_i − S_(i−1)) / l_r, nothing of two on one bar. (derived)
     ///
     /// # Errors
     /// A sheave where the rope comes from.
-    pub fn new([from, to]: [[Point<C>; 2]; 2], on: [usize; 2], number: u16) -> Found<Stretch<C>> {
+    pub fn new([from, to]: [[Point<C>; 2]; 2], on: [usize; 2], number: u16) -> Found<LedStretch<C>> {
         let line = to[0] - from[0];
-        let length = plane::length(line).def_of(&s::L_RI, number);
+        let length = plane::length(line).def_of(&s::L_RS, number);
         let reach = |point: Point<C>| point.x.value().abs() + point.y.value().abs();
         if length.value() <= 4.0 * f64::EPSILON * (reach(from[0]) + reach(to[0])) {
             return Err(Box::new(Fault::outside(format!(
-                "l_r[{number}] = 0 m: the sheave {number} of the hoist rope is where the rope comes from, there is no line to pull along"
+                "l_rs[{number}] = 0 m: the sheave {number} of the hoist rope is where the rope comes from, there is no line to pull along"
             ))));
         }
         let along = line / length;
         let along = Point::new(along.x.def_of(&s::E_RX, number), along.y.def_of(&s::E_RY, number));
         let change = match on[0] == on[1] {
             true => C::constant(0.0),
-            false => dot(to[1] - from[1], along).def_of(&s::DL_RI, number),
+            false => dot(to[1] - from[1], along).def_of(&s::DL_RS, number),
         };
-        Ok(Stretch {
+        Ok(LedStretch {
             ends: [from[0], to[0]],
             on,
             along,

@@ -10,7 +10,7 @@ symbols! {
     // Position.
     S_RX: "S_r.x" "x_(S i)" M / M, "Sheave of the hoist rope, forward of O1.", "derived";
     S_RY: "S_r.y" "y_(S i)" M / M, "Sheave of the hoist rope, above O1.", "derived";
-    L_RI: "l_r" "l_(r i)" M / M [not_negative], "Hoist rope between a sheave and what it comes from: the sheave before, or the head A.", "derived";
+    L_RS: "l_rs" "l_(r i)" M / M [not_negative], "Hoist rope between a sheave and what it comes from: the sheave before, or the head A.", "derived";
     E_RX: "e_r.x" "e_(x i)" ONE / ONE, "Direction of the rope before a sheave, from where it comes, forward.", "derived";
     E_RY: "e_r.y" "e_(y i)" ONE / ONE, "Direction of the rope before a sheave, from where it comes, upward.", "derived";
     L_LED: "L_led" "L_r" M / M [not_negative], "Hoist rope from the head A over all sheaves to the last one, on the frame.", "[Ports001, 5.9.2.4]";
@@ -19,7 +19,7 @@ symbols! {
     Y_Q: "Y_Q" "y_Q" M / M, "Height of the load above O1 with the hoist drum at rest.", "[Ports001, 5.9.2.4]";
 
     // Velocity.
-    DL_RI: "dl_r" "l'_(r i)" M / M, "Change of the rope before a sheave for one radian of the luffing angle.", "derived";
+    DL_RS: "dl_rs" "l'_(r i)" M / M, "Change of the rope before a sheave for one radian of the luffing angle.", "derived";
     DL_LED: "dL_led" "L'_r" M / M, "Change of the led rope for one radian of the luffing angle.", "[Ports001, 5.9.2.4]";
     DDL_LED: "ddL_led" "L''_r" M / M, "Change of that for one radian of luffing: of each stretch what its ends move square to it, by its length, and what their travel changes along it.", "derived";
     V_Q: "V_Q" "V_Q" M_PER_S / M_PER_S, "Vertical velocity of the load with the hoist drum at rest, upward positive.", "derived";
