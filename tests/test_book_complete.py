@@ -105,6 +105,8 @@ def test_every_symbol_of_a_formula_has_its_origin(scene, level):
     notation = set(re.findall(r"(?m)^  \[\$(.*?)\$\], \[", chapter(text, "Notation")))
     known = {name for _, symbols in given(text) for pair in symbols for name in pair}
     known |= {result for result, _ in formulas(text)}
+    # Of several that are all told of each has its number.
+    known |= {re.sub(r"\d(\)?)$", r"i\1", result) for result, _ in formulas(text)} & notation
     known |= set(re.findall(r"(?m)^= \d+ [^\n]*?: \$(.*?) = ", text))
     for caption in ["States and commands at the instant", "Constants of the equations", "Energy", "Envelope of forces",
                     "What the formulas take from places and bodies",

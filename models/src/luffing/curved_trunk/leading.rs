@@ -1,14 +1,17 @@
 //! Boom and trunk as they lead the hoist rope, and what that does to the load. [Ports001, 5.9.2.4]
 
 use crate::component::stages::Found;
-use crate::kernel::calc::Calc;
+use crate::kernel::calc::{Calc, Over};
 use crate::luffing::curved_trunk::contact::Contact;
 use crate::luffing::curved_trunk::position::TrunkPosition;
 use crate::luffing::curved_trunk::symbols as s;
 use crate::luffing::curved_trunk::tail::{TrunkChoice, TrunkTail};
-use crate::luffing::curved_trunk::velocity::TrunkTravel;
+use crate::luffing::curved_trunk::velocity::{TrunkBend, TrunkTravel};
+use crate::luffing::led::moving::LedMoves;
 use crate::luffing::led::pull::Hauled;
+use crate::luffing::led::reeved::Reeved;
 use crate::luffing::led::stretch::LedBars;
+use crate::luffing::moving::symbols as m;
 use crate::parts::plane::{self, Point};
 
 /// The bar that carries the head.
@@ -55,4 +58,37 @@ pub fn power<C: Calc>(
         travel.i_2 * (trunk.moment + plane::cross(b - *pole, trunk.force))
     };
     boom.moment + of_trunk
+}
+
+/// Boom and trunk at one angle, and how they move.
+type Bent<'a, C> = (&'a TrunkPosition<C>, &'a TrunkTravel<C>, &'a TrunkBend<C>);
+
+/// The head with its travel and how that changes, in m.
+pub fn bent_head<C: Calc>((position, travel, bend): Bent<C>) -> [Point<C>; 3] {
+    let change = bend.of_point(position, travel, position.front);
+    [position.a, travel.a, plane::def(change, [&m::DDA_X, &m::DDA_Y])]
+}
+
+/// What the rope does over sheaves on boom, which turns about its foot, and trunk, at the boom's angle (rad).
+pub fn moves<P: Calc, C: Over<P>>(
+    reeved: &Reeved<P>,
+    phi: C,
+    (position, travel, bend): Bent<C>,
+    head: [Point<C>; 3],
+) -> Option<LedMoves<C>> {
+    let (sin, cos) = phi.sin_cos();
+    let point = |bar: usize, at: Point<P>| {
+        let (x, y) = (C::of(at.x), C::of(at.y));
+        if bar == TRUNK {
+            let from = plane::turned(position.along, x, y);
+            return [
+                position.b + from,
+                travel.of_point(position, from),
+                bend.of_point(position, travel, from),
+            ];
+        }
+        let place = plane::turned(Point::new(cos, sin), x, y);
+        [place, Point::new(-place.y, place.x), -place]
+    };
+    reeved.moves((TRUNK, head), point)
 }

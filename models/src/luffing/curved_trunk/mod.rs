@@ -37,6 +37,7 @@
 //! | `curved_trunk.range` | [`crate::component::whole`] | Ports001, 5.2.4.3 |
 
 mod balancing;
+pub mod centres;
 pub mod contact;
 mod drawing;
 pub mod driving;

@@ -4,8 +4,9 @@ use crate::kernel::calc::{Calc, Over};
 use crate::kernel::group::quantities;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::luffing::curved_trunk::balancing::UnderTrunk;
+use crate::luffing::curved_trunk::centres::TrunkCentres;
 use crate::luffing::curved_trunk::contact::Contact;
-use crate::luffing::curved_trunk::leading::TRUNK;
+use crate::luffing::curved_trunk::leading::{bent_head, moves};
 use crate::luffing::curved_trunk::position::TrunkPosition;
 use crate::luffing::curved_trunk::statics::TrunkWeights;
 use crate::luffing::curved_trunk::symbols as s;
@@ -80,34 +81,6 @@ pub struct TrunkBodies<P> {
     load: Option<P>,
 }
 
-/// Centres of gravity of boom, from its foot, and trunk, from B, in m; and what they move by for one radian of the boom's
-/// angle, once and once more.
-pub struct TrunkCentres<C> {
-    pub boom: [Point<C>; 3],
-    pub trunk: [Point<C>; 3],
-}
-
-impl<C: Calc> TrunkCentres<C> {
-    /// Of their places in boom and trunk, in m.
-    pub fn new(
-        [boom, trunk]: [Point<C>; 2],
-        (phi, position): (C, &TrunkPosition<C>),
-        (travel, bend): (&TrunkTravel<C>, &TrunkBend<C>),
-    ) -> TrunkCentres<C> {
-        let (sin, cos) = phi.sin_cos();
-        let s_b = plane::def(plane::turned(boom, cos, sin), [&s::S_BX, &s::S_BY]);
-        let ds_b = plane::def(Point::new(-s_b.y, s_b.x), [&s::DS_BX, &s::DS_BY]);
-        let s_m = plane::turned(position.along, trunk.x, trunk.y);
-        let s_m = plane::def(s_m, [&s::S_MX, &s::S_MY]);
-        let ds_m = plane::def(travel.of_point(position, s_m), [&s::DS_MX, &s::DS_MY]);
-        let dds_m = bend.of_point(position, travel, s_m);
-        TrunkCentres {
-            boom: [s_b, ds_b, -s_b],
-            trunk: [s_m, ds_m, plane::def(dds_m, [&s::DDS_MX, &s::DDS_MY])],
-        }
-    }
-}
-
 /// A boom with a curved trunk, as its equations of motion see it.
 #[derive(Clone, Copy, Debug)]
 pub struct Trunked;
@@ -120,35 +93,7 @@ impl<P: Calc> TrunkBodies<P> {
         let travel = TrunkTravel::new(&position);
         Some((contact, position, travel))
     }
-
-    fn head<C: Calc>(&self, (position, travel, bend): Placed<C>) -> [Point<C>; 3] {
-        let dd_a = bend.of_point(position, travel, position.front);
-        [position.a, travel.a, plane::def(dd_a, [&m::DDA_X, &m::DDA_Y])]
-    }
-
-    /// What its hoist rope does, over sheaves on boom, which turns about its foot, and trunk.
-    fn led<C: Over<P>>(&self, phi: C, (position, travel, bend): Placed<C>, head: [Point<C>; 3]) -> Option<LedMoves<C>> {
-        let (sin, cos) = phi.sin_cos();
-        let point = |bar: usize, at: Point<P>| {
-            let (x, y) = (C::of(at.x), C::of(at.y));
-            if bar == TRUNK {
-                let from = plane::turned(position.along, x, y);
-                let place = position.b + from;
-                return [
-                    place,
-                    travel.of_point(position, from),
-                    bend.of_point(position, travel, from),
-                ];
-            }
-            let place = plane::turned(Point::new(cos, sin), x, y);
-            [place, Point::new(-place.y, place.x), -place]
-        };
-        self.reeved.as_ref()?.moves((TRUNK, head), point)
-    }
 }
-
-/// Boom and trunk at one angle, and how they move.
-type Placed<'a, C> = (&'a TrunkPosition<C>, &'a TrunkTravel<C>, &'a TrunkBend<C>);
 
 impl SingleBoom for Trunked {
     type Own<C: Calc> = TrunkParts<C>;
@@ -191,8 +136,8 @@ impl SingleBoom for Trunked {
         let mass = of.load?;
         let (contact, position, travel) = of.placed(phi)?;
         let bend = TrunkBend::new(&contact, &position, &travel);
-        let head = of.head((&position, &travel, &bend));
-        let LedMoves { raised, lead } = of.led(phi, (&position, &travel, &bend), head)?;
+        let head = bent_head((&position, &travel, &bend));
+        let LedMoves { raised, lead } = moves(of.reeved.as_ref()?, phi, (&position, &travel, &bend), head)?;
         Some((mass.def(&m::MASS_Q), hung(head, raised, lead)))
     }
 
@@ -209,9 +154,9 @@ impl SingleBoom for Trunked {
         let centres = of.bodies.map(|body| body.centre.map(C::of));
         let TrunkCentres { boom, trunk } = TrunkCentres::new(centres, (phi, &position), (&travel, &bend));
         let place = [position.b + trunk[0], trunk[1], trunk[2]];
-        let head = of.head((&position, &travel, &bend));
-        let led = match of.reeved {
-            Some(_) => Some(of.led(phi, (&position, &travel, &bend), head)?),
+        let head = bent_head((&position, &travel, &bend));
+        let led = match &of.reeved {
+            Some(reeved) => Some(moves(reeved, phi, (&position, &travel, &bend), head)?),
             None => None,
         };
         let load = of
