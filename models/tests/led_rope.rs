@@ -6,6 +6,7 @@ mod named;
 
 use lemnis_models::component::model::Model;
 use lemnis_models::kernel::calc::Calc;
+use lemnis_models::parts::plane::{self, Point};
 use lemnis_models::scene::Scene;
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
@@ -57,7 +58,7 @@ fn less([a, b]: [f64; 2], [c, d]: [f64; 2]) -> [f64; 2] {
 }
 
 fn length([x, y]: [f64; 2]) -> f64 {
-    x.hypot(y)
+    plane::length(Point::new(x, y))
 }
 
 /// A bar of a test: its foot, the point that its line goes to, the forces on it, each with where it acts.

@@ -20,6 +20,7 @@ use crate::luffing::double_link::symbols as g;
 use crate::luffing::double_link::system::height;
 use crate::luffing::led::moving::LedMoves;
 use crate::luffing::led::pull::Hauled;
+use crate::luffing::led::reeved::Reeved;
 use crate::luffing::led::stretch::LedBars;
 use crate::luffing::led::symbols as w;
 use crate::luffing::moving::balance_in_motion::{PosedCounterweight, named};
@@ -367,27 +368,11 @@ impl Posing<Rec> for Rec {
                 },
             }
         };
-        let mut rope = None;
-        if let Some((led, found)) = d.led.as_ref().zip(values.rope) {
-            let bars = LedBars::still(bars.map(|(joint, along)| [joint, along]), (JIB, position.a));
-            let falls = led.falls.m_h;
-            let change = Rec::given(&w::DL_LED, -(found.lead[0] * falls.value()));
-            let lead = (-(change / falls)).rounded_as(found.lead[0]).def(&m::DL_R);
-            let travel = Point::new(
-                Rec::given(&g::DA_X, found.head[1].x),
-                Rec::given(&g::DA_Y, found.head[1].y),
-            );
-            let bend = Point::new(
-                travel.x.derivative(theta, found.head[2].x),
-                travel.y.derivative(theta, found.head[2].y),
-            );
-            rope = Some(PosedRope {
-                each: led.hauled(&bars)?,
-                falls,
-                head: [position.a, travel, bend],
-                lead: [lead, lead.derivative(theta, found.lead[1]).def(&m::DDL_R)],
-            });
-        }
+        let at = bars.map(|(joint, along)| [joint, along]);
+        let rope = match d.led.as_ref().zip(values.rope) {
+            Some((led, found)) => Some(named_rope(led, &found, at, position.a, theta)?),
+            None => None,
+        };
         let load = d.bodies.load.zip(rope);
         let load = load.map(|(mass, rope)| (mass, hung(rope.head, Rec::constant(0.0), rope.lead)));
         Some(PosedLinkage {
@@ -405,6 +390,31 @@ impl Posing<Rec> for Rec {
             }),
         })
     }
+}
+
+/// A led rope at bars that lie like this, with the head, and what it found by dual numbers.
+fn named_rope(
+    led: &Reeved<Rec>,
+    found: &PosedRope<f64>,
+    at: [[Point<Rec>; 2]; 3],
+    head: Point<Rec>,
+    theta: Rec,
+) -> Option<PosedRope<Rec>> {
+    let (falls, [lead, further]) = (led.falls.m_h, found.lead);
+    let change = Rec::given(&w::DL_LED, -(lead * falls.value()));
+    let lead = (-(change / falls)).rounded_as(lead).def(&m::DL_R);
+    let [_, first, second] = found.head;
+    let travel = Point::new(Rec::given(&g::DA_X, first.x), Rec::given(&g::DA_Y, first.y));
+    let bend = Point::new(
+        travel.x.derivative(theta, second.x),
+        travel.y.derivative(theta, second.y),
+    );
+    Some(PosedRope {
+        each: led.hauled(&LedBars::still(at, (JIB, head)))?,
+        falls,
+        head: [head, travel, bend],
+        lead: [lead, lead.derivative(theta, further).def(&m::DDL_R)],
+    })
 }
 
 /// A counterweight's place, and what follows from it, where a linkage stands.
