@@ -14,7 +14,7 @@ symbols! {
     E_RX: "e_r.x" "e_(x i)" ONE / ONE, "Direction of the rope before a sheave, from where it comes, forward.", "derived";
     E_RY: "e_r.y" "e_(y i)" ONE / ONE, "Direction of the rope before a sheave, from where it comes, upward.", "derived";
     L_LED: "L_led" "L_r" M / M [not_negative], "Hoist rope from the head A over all sheaves to the last one, on the frame.", "[Ports001, 5.9.2.4]";
-    L_LEDA: "L_led_a" "L_(r a)" M / M [not_negative], "The same at the start of the working range.", "[Ports001, 5.9.2.4]";
+    L_LEDA: "L_led_a" "L_(r a)" M / M [not_negative], "Hoist rope from the head A over all sheaves to the frame, at the start of the working range.", "[Ports001, 5.9.2.4]";
     C_Q: "c_Q" "c_Q" M / M, "Height of the load less that of the head, without the rope between head and frame.", "[Ports001, 5.9.2.4]";
     Y_Q: "Y_Q" "y_Q" M / M, "Height of the load above O1 with the hoist drum at rest.", "[Ports001, 5.9.2.4]";
 
