@@ -500,3 +500,30 @@ fn refusals() {
         refused(&at_the_head)
     );
 }
+
+/// A parallelogram moves through its change point, where no finite forces in the pins carry a load: pull and forces of the rope are
+/// told there too.
+#[test]
+fn through_a_change_point() {
+    let mut scene = without(&without(READY, "[luffing.drive]"), "[luffing.limits]");
+    for (before, after) in [
+        ("X_1 = \"19.3 m\"", "X_1 = \"14.7 m\""),
+        ("X_5 = \"6.4 m\"", "X_5 = \"6.5 m\""),
+        ("X_6 = \"5.3 m\"", "X_6 = \"0 m\""),
+        ("from  = \"60 deg\"", "from  = \"-20 deg\""),
+        ("to    = \"120 deg\"", "to    = \"20 deg\""),
+        ("M_S = \"3000 kN.m\"", "M_S = \"90000 kN.m\""),
+    ] {
+        assert!(scene.contains(before), "{before}");
+        scene = scene.replace(before, after);
+    }
+    let mut crane = model(&scene);
+    set(&mut crane, "theta_1", 0.0);
+    crane.update().expect("it stands there");
+    near(get(&mut crane, "S_h"), 80e3, 1e-8);
+    // B = (14.7, 0), C = (8.2, 0): the sheave at (14.7 - 6.2, -0.9), and 15.1 m behind it and 6.3 m above it the last one.
+    let line = [-6.6 - 8.5, 5.4 + 0.9];
+    for (name, part) in [("F_r2.x", line[0]), ("F_r2.y", line[1])] {
+        near(get(&mut crane, name), 80e3 * part / length(line), 1e-7);
+    }
+}

@@ -14,7 +14,8 @@ use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::pins_in_motion::PinsInMotion;
 use crate::luffing::double_link::pose::{PosedLinkage, Posing};
 use crate::luffing::double_link::symbols as g;
-use crate::luffing::led::pull;
+use crate::luffing::led::pull::{self, Hauled, named};
+use crate::luffing::led::symbols as w;
 use crate::luffing::moving::balance_in_motion::BalanceInMotion;
 use crate::luffing::moving::dynamics::Coordinate;
 use crate::luffing::moving::inertia_forces::hanging;
@@ -30,6 +31,8 @@ pub struct ForcesInMotion<C> {
     /// Force of the drive, push positive; where there is one.
     pub f_d: Option<C>,
     pub balance: Option<BalanceInMotion<C>>,
+    /// Pull of a led hoist rope (N), and what it does to boom, jib and rocker.
+    pub rope: Option<(C, [Hauled<C>; 3])>,
     pub at: Instant<C>,
 }
 
@@ -92,9 +95,20 @@ impl<C: Calc> ForcesInMotion<C> {
         let f_d = pose
             .drive
             .map(|(_, sizes)| at.shares.push.unwrap_or_else(|| force(m_d, sizes, &g::F_D)));
-        let pins = (!pose.position.is_in_line()).then(|| PinsInMotion::new(pose, at, gravity, balance.as_ref(), f_d));
-        let at = *at;
-        ForcesInMotion { pins, f_d, balance, at }
+        let rope = pose.rope.as_ref().map(|rope| {
+            let s_h = (at.tension.unwrap_or(C::constant(0.0)) / rope.falls).def(&w::S_H);
+            (s_h, named(rope.each.map(|bar| bar.under(s_h))))
+        });
+        let on_bars = rope.as_ref().map(|(_, on)| on);
+        let pins = !pose.position.is_in_line();
+        let pins = pins.then(|| PinsInMotion::new(pose, at, gravity, balance.as_ref(), f_d, on_bars));
+        ForcesInMotion {
+            pins,
+            f_d,
+            balance,
+            rope,
+            at: *at,
+        }
     }
 
     /// How far the moment on the driving link by equilibrium is from that of drive, friction and end stop, and the
@@ -108,8 +122,7 @@ impl<C: Calc> ForcesInMotion<C> {
 
     /// The [results](RESULTS), as far as there are any.
     pub fn results(&self) -> [Option<C>; RESULTS.len()] {
-        let rope = self.pins.as_ref().and_then(|it| it.rope);
-        let rope = rope.map(|(s_h, on)| pull::results(s_h, &on).map(Some));
+        let rope = self.rope.map(|(s_h, on)| pull::results(s_h, &on).map(Some));
         joined(self.own(), rope.unwrap_or_default())
     }
 

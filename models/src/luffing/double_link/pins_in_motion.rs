@@ -7,8 +7,7 @@ use crate::luffing::double_link::parameters::Driven;
 use crate::luffing::double_link::pin_forces::{JibLoad, MomentNames, PinForces};
 use crate::luffing::double_link::pose::PosedLinkage;
 use crate::luffing::double_link::symbols as g;
-use crate::luffing::led::pull::{Hauled, named};
-use crate::luffing::led::symbols as w;
+use crate::luffing::led::pull::Hauled;
 use crate::luffing::moving::balance_in_motion::BalanceInMotion;
 use crate::luffing::moving::inertia_forces::PosedBody;
 use crate::luffing::moving::shares::Instant;
@@ -24,8 +23,6 @@ pub struct PinsInMotion<C> {
     pub o3: Point<C>,
     /// Axial force in the rocker at C, tension positive.
     pub n_3: C,
-    /// Pull of a led hoist rope (N), and what it does to boom, jib and rocker.
-    pub rope: Option<(C, [Hauled<C>; 3])>,
     /// What cancels to the moment on the driving link, in N·m: its length times the force in its pin, or what the boom's
     /// own weight and inertia have about its foot, if that is more; the nearer to a dead point the more of it is lost.
     pub lift: f64,
@@ -37,13 +34,15 @@ const NAMES: MomentNames = MomentNames {
 };
 
 impl<C: Calc> PinsInMotion<C> {
-    /// Without what the balance carries, and with the force of the drive along its line (N), where there are any.
+    /// Without what the balance carries, with the force of the drive along its line (N) and what a led rope does to the bars, where
+    /// there are any.
     pub fn new(
         pose: &PosedLinkage<C>,
         at: &Instant<C>,
         gravity: C,
         balance: Option<&BalanceInMotion<C>>,
         f_d: Option<C>,
+        rope: Option<&[Hauled<C>; 3]>,
     ) -> PinsInMotion<C> {
         let p = &pose.position;
         let [boom, jib, rocker] = &pose.bodies;
@@ -64,15 +63,11 @@ impl<C: Calc> PinsInMotion<C> {
             forward: Some(on_jib.x),
             about_b,
         };
-        let rope = pose.rope.as_ref().map(|rope| {
-            let s_h = (at.tension.unwrap_or(C::constant(0.0)) / rope.falls).def(&w::S_H);
-            (s_h, named(rope.each.map(|bar| bar.under(s_h))))
-        });
-        let on_jib = match &rope {
+        let on_jib = match rope {
             None => PinForces::under(p, &jib, [Some(m_1), Some(m_3)], &NAMES),
-            Some((_, rope)) => PinForces::led(p, &jib, [Some(m_1), Some(m_3)], rope, &NAMES),
+            Some(rope) => PinForces::led(p, &jib, [Some(m_1), Some(m_3)], rope, &NAMES),
         };
-        let by_rope = |force: Point<C>, bar: usize| rope.map_or(force, |(_, rope)| force - rope[bar].force);
+        let by_rope = |force: Point<C>, bar: usize| rope.map_or(force, |rope| force - rope[bar].force);
         // Where no force gives the moment the drive is taken as a mere moment.
         let push = pose.drive.zip(f_d.filter(|f_d| f_d.value().is_finite()));
         let push = push.map(|((line, [length, _]), f_d)| line.map(|x| f_d * x / length));
@@ -96,7 +91,6 @@ impl<C: Calc> PinsInMotion<C> {
             o1,
             o3,
             n_3,
-            rope,
             lift,
         }
     }

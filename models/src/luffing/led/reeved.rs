@@ -77,10 +77,10 @@ impl<C: Calc> Reeved<C> {
         self.each().map(|(_, _, on)| on >= BARS)
     }
 
-    /// What the rope runs over, in the order in which it runs from the head.
+    /// Hands on each stretch, in the order in which the rope runs from the head.
     ///
     /// # Errors
-    /// A sheave where the rope comes from.
+    /// As [`LedStretch::new`].
     pub(super) fn run(&self, bars: &LedBars<C>, mut each: impl FnMut(LedStretch<C>)) -> Found<()> {
         let (mut from, mut carried) = ([bars.head, bars.travel], bars.carries);
         for (number, sheave, on) in self.each() {
@@ -91,7 +91,7 @@ impl<C: Calc> Reeved<C> {
         Ok(())
     }
 
-    /// What the rope runs over, in the order in which it runs from the head.
+    /// All of them, put where the last ones lay.
     ///
     /// # Errors
     /// As [`LedStretch::new`].

@@ -123,18 +123,22 @@ impl LedRopeScene {
             let least = from
                 .zip(self.leading.0)
                 .map(|(one, other)| NEAREST[usize::from(one != other)] * whole);
-            let place = each
-                .iter()
-                .zip(least)
-                .position(|(index, least)| length(index) <= least)?;
-            Some((place, length(&each[place]), phi))
+            let mut all = (0..).zip(each.iter().zip(least));
+            all.find_map(|(place, (index, least))| {
+                let length = length(index);
+                (length <= least).then_some((place, length, least, phi))
+            })
         });
-        let Some((place, length, phi)) = near else { return };
+        let Some((place, length, least, phi)) = near else {
+            return;
+        };
         let what = format!(
-            "sheave {} of the hoist rope comes within {} of where the rope comes from, at {}",
+            "sheave {} of the hoist rope comes within {} of where the rope comes from at {} = {}, {} are needed",
             place + 1,
             s::L_RS.written(length),
-            degrees(phi)
+            model.variables()[0].symbol.id,
+            degrees(phi),
+            s::L_RS.written(least)
         );
         let help = "move the sheave, or keep the working range away from there";
         let table = v.table("rope").and_then(|rope| rope.tables("sheave").get(place));
