@@ -16,7 +16,6 @@ use crate::drive::line::{self, Drive, Reaction};
 use crate::drive::mount::DrivenBar;
 use crate::drive::symbols::Z_PULL;
 use crate::drive::way::DriveWay;
-use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Fault;
@@ -36,8 +35,6 @@ use crate::luffing::curved_trunk::symbols as t;
 use crate::luffing::curved_trunk::tail::{TailArc, Trunk, TrunkChoice, TrunkTail};
 use crate::luffing::curved_trunk::velocity::{TrunkSpeeds, TrunkTravel, pole};
 use crate::luffing::led::fragments::{hauled, leading, led};
-use crate::luffing::led::path::LedRope;
-use crate::luffing::led::pull::LedPull;
 use crate::luffing::led::pull::RESULTS as LED;
 use crate::luffing::led::reeved::Reeved;
 use crate::luffing::led::stretch::LedBars;
@@ -112,7 +109,7 @@ composed! {
         beginning: LedBars<C> = beginning(tail, choice) => _;
         ..leading(omega);
         ..hauled();
-        hanging: TrunkLoad<C> = hanging(position, travel, pole, load[!], led[?], pulled[?]);
+        hanging: TrunkLoad<C> = TrunkLoad::new(position, travel, pole, load[!], led[?], pulled[?]);
         own: TrunkWeight<C> = TrunkWeight::new(weights[!], phi, position, travel);
         balancing: Balancing<C> = balancing(tail, choice, weights[!], balance[!]) => _;
         residual: Residual<C> = residual(balancing, own, phi);
@@ -202,18 +199,6 @@ impl Component for CurvedTrunkBoom {
             && fittings(given).is_none_or(|crane| crane.has(symbol))
             && way::has(given.starting.as_ref(), symbol)
     }
-}
-
-/// The load at the trunk's head, whose rope may be led.
-fn hanging<C: Calc>(
-    position: &TrunkPosition<C>,
-    travel: &TrunkTravel<C>,
-    pole: &Point<C>,
-    q: &C,
-    led: Option<&LedRope<C>>,
-    pulled: Option<&LedPull<C>>,
-) -> TrunkLoad<C> {
-    TrunkLoad::new(position, travel, pole, q, led.zip(pulled))
 }
 
 /// Whether the tie pulls, and a rope that drives the boom.

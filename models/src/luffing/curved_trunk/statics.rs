@@ -36,17 +36,16 @@ impl<C: Calc> TrunkLoad<C> {
         travel: &TrunkTravel<C>,
         pole: &Point<C>,
         q: &C,
-        led: Option<(&LedRope<C>, &LedPull<C>)>,
+        led: Option<&LedRope<C>>,
+        pulled: Option<&LedPull<C>>,
     ) -> TrunkLoad<C> {
         let by_pole = if travel.at_infinity() {
             *q * position.b.x
         } else {
             *q * travel.i_2 * (position.a.x - pole.x)
         };
-        let (rise, by_pole) = match led {
-            None => (travel.a.y, by_pole),
-            Some((led, pulled)) => (led.rise, by_pole - power(position, travel, pole, &pulled.on)),
-        };
+        let rise = led.map_or(travel.a.y, |led| led.rise);
+        let by_pole = pulled.map_or(by_pole, |pulled| by_pole - power(position, travel, pole, &pulled.on));
         TrunkLoad {
             m_q: (*q * rise).def(&s::M_Q),
             by_pole: by_pole.def(&s::M_Q_P),

@@ -51,7 +51,7 @@ pub fn beginning<C: Calc>(g: &Geometry<C>, choice: &Choice) -> Found<LedBars<C>>
     found.ok_or_else(absent)
 }
 
-/// The same at a position; `None` where a rope has no line to run along.
+/// What the rope does to boom, jib and rocker at a position, under a load (N); `None` where it has no line to run along.
 pub fn hauled<C: Calc>(g: &Geometry<C>, led: &Reeved<C>, p: &Position<C>, q: C) -> Option<LedPull<C>> {
     let (bars, mut room) = (leads(g, p, &Velocity::new(p)), Vec::new());
     led.stretches(&bars, &mut room).ok()?;
