@@ -1,5 +1,5 @@
-"""Cranes that luff, slew, hoist and swing at once, some with a hoist rope that luffing draws over sheaves: their FMUs against
-points in space, each body as two of them."""
+"""Cranes that luff, slew, hoist and swing at once, some with a hoist rope that luffing draws over sheaves, by speed or by a motor
+on its drum: their FMUs against points in space, each body as two of them."""
 
 import numpy as np
 import pytest
@@ -19,6 +19,8 @@ LOAD = 10e3
 FRICTION = {"luffing": (200e3, 5e3), "slewing": (1500e3, 15e3)}
 OUTPUTS = ["psi_sl", "x_Q", "y_Q", "z_Q", "l_R"]
 END = 4.0
+# Inertia (kg·m²) and radius (m) of a drum, its motor's moment and dry friction (N·m).
+DRUM = (900.0, 0.3, 17.5e3, 1e3)
 
 
 def halves(mass, inertia, centre, along):
@@ -127,8 +129,13 @@ def places(system, start, q):
     return np.array([mass for mass, _ in seen]), np.array(ground), line
 
 
-def rates(system, start, moment, gain):
-    """Of coordinates and their rates, the hoist's speed changing at a rate (m/s²)."""
+def rates(system, start, moment, gain, falls=None):
+    """Of coordinates and their rates, the hoist's speed changing at a rate (m/s²), or with its drum behind so many falls."""
+    drum = np.zeros(2)
+    if falls:
+        ratio = falls / DRUM[1]
+        drum = np.array([DRUM[0] * ratio ** 2, -ratio * (DRUM[2] - DRUM[3])])
+
     def speeds(q, rate):
         return np.imag(places(system, start, q + 1e-30j * rate)[1]) / 1e-30
 
@@ -137,27 +144,30 @@ def rates(system, start, moment, gain):
         masses, _, _ = places(system, start, q)
         jacobian = np.array([speeds(q, unit) for unit in np.eye(5)])
         bias = (speeds(q + 1e-5 * rate, rate) - speeds(q - 1e-5 * rate, rate)) / 2e-5 + jacobian[4] * gain
-        free = jacobian[:4]
+        free = jacobian if falls else jacobian[:4]
         inertia = np.einsum("imx,m,jmx->ij", free, masses, free)
         inertia[1, 1] += 1.5e6
         forces = -np.einsum("imx,m,mx->i", free, masses, bias + np.array([0.0, G, 0.0]))
+        if falls:
+            inertia[4, 4] += drum[0]
+            forces[4] += drum[1]
         wind = 0.5 * 1.225 * 36.0 * 30.0 * 7.0 * np.sin(np.radians(60.0) - q[1])
         for i, (acting, name) in enumerate([(moment, "luffing"), (120e3 + wind, "slewing")]):
             viscous, dry = FRICTION[name]
             forces[i] += acting - viscous * rate[i] - dry
-        return np.concatenate([rate, np.linalg.solve(inertia, forces), [gain]])
+        return np.concatenate([rate, np.linalg.solve(inertia, forces), [] if falls else [gain]])
     return of
 
 
-def points(system, begun, moment):
-    """What the FMUs give, over their times: the hoist is at its speed after 0.4 s."""
+def points(system, begun, moment, falls=None):
+    """What the FMUs give, over their times: the hoist is at its speed after 0.4 s, or a motor turns its drum behind so many falls."""
     phi, length = begun
     start = (system(phi)[2], length)
     y = np.concatenate([[phi], np.zeros(9)])
     found = []
-    for (first, last), gain in [((0.0, 0.4), -0.25), ((0.4, END), 0.0)]:
+    for (first, last), gain in [((0.0, END), 0.0)] if falls else [((0.0, 0.4), -0.25), ((0.4, END), 0.0)]:
         times = np.round(np.arange(first, last + 1e-9, 0.1), 9)
-        run = solve_ivp(rates(system, start, moment, gain), (first, last), y, method="DOP853", t_eval=times, rtol=1e-11, atol=1e-12)
+        run = solve_ivp(rates(system, start, moment, gain, falls), (first, last), y, method="DOP853", t_eval=times, rtol=1e-11, atol=1e-12)
         y = run.y[:, -1]
         found += [(t, at) for t, at in zip(run.t, run.y.T) if first == 0.0 or t > first]
     rows = []
@@ -167,9 +177,13 @@ def points(system, begun, moment):
     return np.array(rows)
 
 
-def moving(inertias, moment, length):
+BY_SPEED = 'v_h = "-0.1 m/s"\na_h = "0.25 m/s2"\n'
+BY_MOTOR = 'J_h = "900 kg.m2"\nr_h = "300 mm"\nM_Mh = "17.5 kN.m"\nM_Fh = "1 kN.m"\n'
+
+
+def moving(inertias, moment, length, hoist):
     return (f'[luffing.dynamics]\n{inertias}c_v = "200 kN.m.s"\nM_F = "5 kN.m"\nM_A = "{moment / 1e3} kN.m"\nM_S = "9000 kN.m"\n'
-            f'[luffing.hoisting]\nl_R = "{length} m"\nv_h = "-0.1 m/s"\na_h = "0.25 m/s2"\n')
+            f'[luffing.hoisting]\nl_R = "{length} m"\n{hoist}')
 
 
 def inserted(path, folder, *changes):
@@ -187,28 +201,32 @@ ROPE_OF_TRUNK = "".join(f'[[luffing.rope.sheave]]\non = "{on}"\nx_r = "{x} m"\ny
     ("trunk", -1.0, 1.5), ("boom", 12.0, 1.2), ("frame", -5.0, 11.0)])
 
 
-@pytest.fixture(scope="module", params=["rope", "guided", "led", "trunk"])
+@pytest.fixture(scope="module", params=["rope", "rope by motor", "guided", "led", "led by motor", "trunk"])
 def compared(request, tmp_path_factory):
-    folder = tmp_path_factory.mktemp(request.param)
-    if request.param == "rope":
-        return packed(ROPE, "RopeSlewing", folder), points(boom_on_a_rope, (np.radians(25.0), 12.0), 3.8e6), 3.8e6, "phi"
-    if request.param == "guided":
+    kind, _, motor = request.param.partition(" by ")
+    folder = tmp_path_factory.mktemp(kind + motor)
+    hoist, falls = (BY_MOTOR, 2) if motor else (BY_SPEED, None)
+    if kind == "rope":
+        path = inserted(ROPE, folder, ('v_h = "-0.1 m/s"      # lifts\na_h = "0.25 m/s2"\n', hoist))
+        expected = points(boom_on_a_rope, (np.radians(25.0), 12.0), 3.8e6, falls)
+        return packed(path, "RopeSlewing", folder), expected, 3.8e6, "phi"
+    if kind == "guided":
         path = inserted(GUIDED, folder, ("[luffing.limits]", TURNS + "[luffing.limits]"))
         expected = points(boom_on_guide_and_link, (np.radians(25.0), 15.0), 250e3)
         return packed(path, "EllipsographMotion", folder), expected, 250e3, "phi"
-    if request.param == "led":
+    if kind == "led":
         text = LED.read_text(encoding="utf-8")
         own = text[text.index("[luffing.dynamics]"):text.index("[luffing.limits]")]
         inertias = 'J_1 = "620000 kg.m2"\nJ_2 = "250000 kg.m2"\nJ_3 = "72000 kg.m2"\n'
-        path = inserted(LED, folder, ('Q = "160 kN"', 'Q = "10 t"'), (own, moving(inertias, 1.7e6, 12.0) + TURNS))
-        expected = points(double_link, (np.radians(60.0), 12.0), 1.7e6)
+        path = inserted(LED, folder, ('Q = "160 kN"', 'Q = "10 t"'), (own, moving(inertias, 1.7e6, 12.0, hoist) + TURNS))
+        expected = points(double_link, (np.radians(60.0), 12.0), 1.7e6, falls)
         return packed(path, "LedRope", folder), expected, 1.7e6, "theta_1"
     inertias = 'J_b = "500000 kg.m2"\nJ_t = "150000 kg.m2"\n'
     text = TRUNK.read_text(encoding="utf-8")
     balance = text[text.index("[luffing.balance]"):text.index("[luffing.limits]")]
     rope = '[luffing.rope]\nm_h = "4"\nh_Q = "8 m"\n' + ROPE_OF_TRUNK
     path = inserted(TRUNK, folder, ('kind = "curved_trunk"', 'kind = "curved_trunk"\nfidelity = "swing"'), (balance, rope),
-                    ("[luffing.limits]", moving(inertias, 1.9e6, 8.0) + TURNS + "[luffing.limits]"))
+                    ("[luffing.limits]", moving(inertias, 1.9e6, 8.0, hoist) + TURNS + "[luffing.limits]"))
     return packed(path, "CurvedTrunkCrane", folder), points(boom_with_trunk, (np.radians(42.0), 8.0), 1.9e6), 1.9e6, "phi"
 
 

@@ -1,5 +1,6 @@
 //! A hoist rope led over sheaves, on the double link and on the boom with a curved trunk [Ports001, 5.9.2.4]: along the tie, by
-//! hand, against the equilibrium of all bodies solved as it stands, against differences of the rope's length, in a load case.
+//! hand, against the equilibrium of all bodies solved as it stands, against differences of the rope's length, in a load case, by
+//! oil and with a motor on the hoist's drum.
 
 #[path = "common/named.rs"]
 mod named;
@@ -16,6 +17,7 @@ use named::{get, index, model, near, set};
 const CRANE: &str = include_str!("../scenes/lemniscate.toml");
 const TRUNK: &str = include_str!("../scenes/curved_trunk.toml");
 const READY: &str = include_str!("../scenes/led_rope.toml");
+const ROPED: &str = include_str!("../scenes/rope_slewing.toml");
 const CASES: &str = include_str!("../scenes/portal_004_drive.toml");
 
 /// A sheave's bar and its place there, in m.
@@ -463,6 +465,119 @@ fn motion_at_rest() {
             }
             let [found, wanted] = [&mut moving, &mut still].map(|model| get(model, "M_r2"));
             near(found, wanted, 1e-12 * 2e7);
+        }
+    }
+}
+
+const OIL: &str = r#"[luffing.hydraulics]
+l_min = "3.5 m"
+l_max = "10 m"
+V_0 = "2 L"
+V_1 = "0.5 L"
+Q_N = "400 L/min"
+dp_N = "35 bar"
+dp_L = "3 bar"
+beta_E = "1400 MPa"
+p_R = "330 bar"
+k_R = "1e-9 m3/(s.Pa)"
+k_L = "1e-13 m3/(s.Pa)"
+omega_v = "100 rad/s"
+zeta_v = "0.8"
+p_P = "250 bar"
+"#;
+
+/// At a level that moves, without dry friction, and what else.
+fn moved(level: &str, changes: &[(&str, &str)]) -> Model {
+    let mut scene = READY.replace("fidelity = \"swing\"", &format!("fidelity = \"{level}\""));
+    for (before, after) in changes.iter().chain(&[("M_F = \"10 kN.m\"", "M_F = \"0 kN.m\"")]) {
+        assert!(scene.contains(before), "{before}");
+        scene = scene.replace(before, after);
+    }
+    model(&scene)
+}
+
+/// A crane that oil luffs begins with the force that holds it at rest, and moves as one under the moment of its cylinder, with the rope
+/// taken in and paid out as it luffs.
+#[test]
+fn by_oil() {
+    let still = without(&without(READY, "[luffing.dynamics]"), "[luffing.hoisting]");
+    let mut still = model(&still.replace("fidelity = \"swing\"", "fidelity = \"static\""));
+    let oil = format!("{OIL}\n[luffing.limits]");
+    let mut oil = moved("hydraulic", &[("M_S = \"3000 kN.m\"", ""), ("[luffing.limits]", &oil)]);
+    oil.start().expect("it stands");
+    stand(&mut still, 60_f64.to_radians());
+    let [found, wanted] = [get(&mut oil, "F_c"), get(&mut still, "F_d")];
+    near(found, wanted, 1e-9 * wanted.abs());
+    near(get(&mut oil, "der(omega_1)"), 0.0, 1e-9);
+    let mut swing = moved("swing", &[("M_S = \"3000 kN.m\"", "M_S = \"0 kN.m\"")]);
+    for (i, theta) in [62.0_f64, 75.0, 90.0, 104.0, 118.0].into_iter().enumerate() {
+        let theta = theta.to_radians();
+        stand(&mut still, theta);
+        let omega = 0.02 * (1.0 + i as f64);
+        for model in [&mut oil, &mut swing] {
+            for (name, value) in [
+                ("theta_1", theta),
+                ("omega_1", omega),
+                ("phi_R", 0.1),
+                ("omega_R", -0.03),
+                ("l_R", 9.0),
+            ] {
+                set(model, name, value);
+            }
+            model.update().expect("it moves there");
+        }
+        let moment = get(&mut oil, "F_c") * get(&mut still, "h_d");
+        set(&mut swing, "M_A", moment);
+        swing.update().expect("it moves there");
+        for name in ["der(omega_1)", "der(omega_R)", "S_R", "der(l_R)"] {
+            let [found, wanted] = [get(&mut oil, name), get(&mut swing, name)];
+            assert!(wanted.abs() > 1e-3, "{name} {wanted}");
+            near(found, wanted, 1e-12 * wanted.abs().max(1.0));
+        }
+    }
+}
+
+/// A motor on the drum of a rope that luffing draws on: in the plane the crane moves as one that may slew, and is held.
+#[test]
+fn by_motor() {
+    let drum = "J_h = \"900 kg.m2\"\nr_h = \"300 mm\"\nM_Mh = \"17.5 kN.m\"\nM_Fh = \"1 kN.m\"\n";
+    let ready = READY.replace("a_h = \"0.5 m/s2\"", drum);
+    let roped = ROPED.replace("v_h = \"-0.1 m/s\"      # lifts\na_h = \"0.25 m/s2\"\n", drum);
+    let roped = without(&without(&roped, "[luffing.air]"), "[slewing]");
+    let turns = "[slewing]\nJ_sl = \"1500000 kg.m2\"\nM_Bsl = \"90000 kN.m\"\n";
+    for (scene, [angle, rate], at) in [
+        (ready, ["theta_1", "omega_1"], 75.0_f64),
+        (roped, ["phi", "omega"], 40.0),
+    ] {
+        let mut plane = model(&scene);
+        let mut space = model(&format!("{scene}\n{turns}"));
+        for (i, omega) in [0.03, -0.02, 0.01].into_iter().enumerate() {
+            let (angle_now, swing, swinging, long, paid) = ((at + 5.0 * i as f64).to_radians(), 0.2, -0.05, 8.0, -0.3);
+            let both = [(angle, angle_now), (rate, omega), ("l_R", long), ("v_R", paid)];
+            let (sin, cos) = Calc::sin_cos(swing);
+            let across = [cos, sin].map(|part| part * long * swinging);
+            let seen = [
+                ("x_Q", long * sin),
+                ("y_Q", -long * cos),
+                ("v_Qx", across[0]),
+                ("v_Qy", across[1]),
+            ];
+            for (name, value) in both.into_iter().chain([("phi_R", swing), ("omega_R", swinging)]) {
+                set(&mut plane, name, value);
+            }
+            for (name, value) in both.into_iter().chain(seen) {
+                set(&mut space, name, value);
+            }
+            for model in [&mut plane, &mut space] {
+                model.update().expect("it moves there");
+            }
+            assert_eq!(get(&mut space, "der(omega_sl)"), 0.0);
+            let named = format!("der({rate})");
+            for name in [named.as_str(), "der(v_R)", "der(l_R)", "S_R", "M_Rh"] {
+                let [found, wanted] = [get(&mut plane, name), get(&mut space, name)];
+                assert!(wanted.abs() > 1e-3, "{name} {wanted}");
+                near(found, wanted, 1e-12 * wanted.abs().max(1.0));
+            }
         }
     }
 }

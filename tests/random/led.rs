@@ -36,16 +36,13 @@ pub fn led(n: &mut Node, bars: &[(&'static str, f64, f64)], size: f64) {
     rope.put("sheave", all);
 }
 
-/// A mechanism that moves with such a rope stands on level ground where it slews, and its hoist follows a speed.
+/// A mechanism that moves with such a rope stands on level ground where it slews.
 pub fn unsloped(n: &mut Node) {
     if !n.has("rope") {
         return;
     }
     if let Some(mut turning) = n.child("slewing") {
         turning.remove(&["slope"]);
-    }
-    if let Some(mut hoist) = n.child("hoisting") {
-        hoist.remove(&["J_h", "r_h", "m_h", "M_Fh", "M_Mh", "M_Bh", "control"]);
     }
 }
 

@@ -216,7 +216,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     }
     let (linkage, range) = built(&mut n);
     working_range(&mut n, range);
-    rope_over_sheaves(&mut n, &linkage, oil);
+    rope_over_sheaves(&mut n, &linkage);
     if let Some(mut balance) = n.child("balance") {
         balance.keep(
             "s_5",
@@ -245,9 +245,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
 }
 
 /// Sheaves at the boom's head, and at the rocker's where the jib's head is far from that.
-fn rope_over_sheaves(n: &mut Node, linkage: &Linkage, oil: bool) {
-    let has = n.has("rope") && !oil;
-    n.keep("rope", has);
+fn rope_over_sheaves(n: &mut Node, linkage: &Linkage) {
     let ([x_1, x_2, x_3], x_4) = (linkage.bars, n.get("X_4"));
     let apart = (x_4 - x_2).abs();
     let bars = [
@@ -657,17 +655,17 @@ pub fn working_range(n: &mut Node, [from, to]: [f64; 2]) {
     motion.set("speed", (to - from) / lasts);
 }
 
-/// A hoist with its rope, which sheaves may lead, under a load (N), for a run of a duration (s).
-fn hoisting(h: &mut Node, load: f64, lasts: f64, led: bool) {
+/// A hoist with its rope, with the falls of a tackle where these stand elsewhere, under a load (N), for a run of a duration (s).
+fn hoisting(h: &mut Node, load: f64, lasts: f64, falls: Option<f64>) {
     let drum = ["J_h", "r_h", "m_h", "M_Fh", "M_Mh", "M_Bh"];
-    let motor = h.draw.coin(0.5) && h.knows(drum[0]) && !led;
+    let motor = h.draw.coin(0.5) && h.knows(drum[0]);
     reeled(h, true, lasts);
     if motor {
         h.remove(&["v_h", "a_h"]);
         let radius = h.draw.scale[0] * h.draw.between(0.005, 0.05);
         let radius = h.set("r_h", radius.max(1e-4));
-        let falls = f64::from(h.draw.rng.u32(1..8));
-        let falls = h.set("m_h", falls);
+        let own = f64::from(h.draw.rng.u32(1..8));
+        let falls = falls.unwrap_or_else(|| h.set("m_h", own));
         // As heavy as the load, as the rope feels it, or a tenth.
         let weight = load.max(1e-3 * h.draw.scale[1] * h.draw.g);
         let inertia = weight / h.draw.g * (radius / falls).powi(2) * h.draw.between(0.1, 1.0);
@@ -796,8 +794,13 @@ pub fn dynamics(n: &mut Node, turns: &str, rope: bool, oil: bool) {
         let load = n.get("Q");
         let mut dynamics = n.child("dynamics").expect("there");
         dynamics.remove(&["l_R", "phi_R", "v_h", "a_h"]);
-        let led = n.has("rope");
-        hoisting(&mut n.child("hoisting").expect("there"), load, lasts, led);
+        let led = ["rope", "hoist_rope"].into_iter().find_map(|name| n.child(name));
+        let falls = led.map(|led| led.get("m_h"));
+        let mut hoist = n.child("hoisting").expect("there");
+        if falls.is_some() {
+            hoist.remove(&["m_h"]);
+        }
+        hoisting(&mut hoist, load, lasts, falls);
     } else {
         reeled(&mut n.child("dynamics").expect("there"), rope, lasts);
     }

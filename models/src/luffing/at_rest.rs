@@ -35,6 +35,7 @@ macro_rules! at_rest {
             regime: None,
             constants: None,
             ramp: None,
+            motor: None,
             give: None,
             around: None,
             ground: None,

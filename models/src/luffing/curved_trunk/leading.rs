@@ -11,6 +11,8 @@ use crate::luffing::led::moving::LedMoves;
 use crate::luffing::led::pull::Hauled;
 use crate::luffing::led::reeved::Reeved;
 use crate::luffing::led::stretch::LedBars;
+use crate::luffing::moving::built::HoistParts;
+use crate::luffing::moving::hoisting::{HoistFalls, HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::symbols as m;
 use crate::parts::plane::{self, Point};
 
@@ -41,6 +43,17 @@ pub fn beginning<C: Calc>(tail: &TrunkTail<C>, choice: &TrunkChoice) -> Found<Le
         let position = TrunkPosition::new(tail, &Contact::new(tail, choice, &from)?);
         Ok(leads(&position, &TrunkTravel::new(&position), &from))
     })
+}
+
+/// Its hoist: a drum feels the load through the falls of the tackle, those of a rope that is led where there is one.
+pub fn hoist<C: Calc>(
+    ramp: &Option<HoistRamp<C>>,
+    motor: &Option<HoistMotor<C>>,
+    give: &Option<RopeGive<C>>,
+    falls: &Option<HoistFalls<C>>,
+    reeved: Option<&Reeved<C>>,
+) -> HoistParts<C> {
+    HoistParts::new(ramp, motor, give, falls).led(reeved.map(|led| led.falls.m_h))
 }
 
 /// Its power (N·m) for one radian of the boom: the trunk turns about its instantaneous centre, or moves along with B.

@@ -203,7 +203,7 @@ impl Described for CurvedTrunk {
         }
         let cases = Cases::read(v, &resisting::PARTS, balance.as_ref(), gravity, found);
         let led = LedRopeScene::read(v, resisting::PARTS.bodies, moving.as_ref(), found);
-        let given = at_rest! { (cases, driving) without [motor];
+        let given = at_rest! { (cases, driving) without [hoist_falls];
             phi: One(&b::PHI, range.from),
             omega: One(&s::OMEGA, range.speed),
             load: v.of(&s::Q).map(|q| One(&s::Q, q)),
@@ -414,6 +414,7 @@ fn moves(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<Moving
         help: "add [luffing.dynamics] with J_b and J_t (kg.m2)",
         bodies: "boom and trunk",
         weighs: |weights| turns(weights, &s::G_B, &s::R_B) || turns(weights, &s::G_T, &s::R_T),
+        leads: Some(ROPE.name),
     };
     Moving::new(v, gravity, &bodies, found)
 }

@@ -25,7 +25,7 @@ use crate::luffing::curved_trunk::balancing::{analysed, balanced, balancing, cri
 use crate::luffing::curved_trunk::contact::Contact;
 use crate::luffing::curved_trunk::driving;
 use crate::luffing::curved_trunk::forces_in_motion::{self, TrunkForces, forces};
-use crate::luffing::curved_trunk::leading::{beginning, leads};
+use crate::luffing::curved_trunk::leading::{beginning, hoist, leads};
 use crate::luffing::curved_trunk::moving::{TrunkInertias, TrunkParts, Trunked};
 use crate::luffing::curved_trunk::pins::{TrunkBearing, TrunkPins, power, pressure, slack};
 use crate::luffing::curved_trunk::position::TrunkPosition;
@@ -76,7 +76,7 @@ composed! {
     CurvedTrunkBoom over C from {
         ..coordinate(phi, omega),
         Parameter inertias: Option<TrunkInertias<C>>,
-        ..plant(motor),
+        ..plant(hoist_falls),
         ..remembered(),
         Load load: Option<One<C>>,
         Parameter trunk: Trunk<C>,
@@ -128,7 +128,7 @@ composed! {
         ..strong();
         ..sheared();
         trunked: TrunkParts<C> = TrunkParts::new(tail, weights[!], inertias[!], choice, reeved[?]) => _;
-        hoist: HoistParts<C> = HoistParts::new(ramp, motor, give) => _;
+        hoist: HoistParts<C> = hoist(ramp, motor, give, hoist_falls, reeved[?]) => _;
         ..single_boom(Trunked, trunked);
         ..geared(way);
         ..exposed(OfTrunk);
@@ -148,7 +148,7 @@ composed! {
     }
 }
 
-luffs!(CurvedTrunkBoom by phi, omega with motor holds taut);
+luffs!(CurvedTrunkBoom by phi, omega with hoist_falls holds taut);
 
 taut_rope!(pulls by phi);
 

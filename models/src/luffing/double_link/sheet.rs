@@ -80,7 +80,7 @@ impl Described for LuffingScene {
 
     fn given(this: &Luffing) -> Given<f64> {
         let p = &this.parameters;
-        at_rest! { (this.cases, this.driving) without [inertias, motor, oil, oil_parts];
+        at_rest! { (this.cases, this.driving) without [inertias, hoist_falls, oil, oil_parts];
             theta: One(p.driven.coordinate(), this.motion.from),
             omega: One(p.driven.rate(), this.motion.speed),
             load: this.q.map(|q| One(&s::Q, q)),

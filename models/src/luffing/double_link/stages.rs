@@ -85,7 +85,7 @@ composed! {
     DoubleLink over C from {
         ..coordinate(theta, omega),
         Parameter inertias: Option<Inertias<C>>,
-        ..plant(motor),
+        ..plant(hoist_falls),
         Parameter oil: Option<CylinderOil<C>>,
         Parameter oil_parts: Option<OilParts<C>>,
         ..remembered(),
@@ -142,7 +142,7 @@ composed! {
         ..sheared();
         parameters: Parameters<C> = parameters(lengths, jib, weights, mount, cylinder, balance, choice) => _;
         parts[constants]: Vec<CraneParts<C>> = motion::parts(
-            parameters, reeved[?], load[!], inertias[!], constants[!], ramp, motor, give, around, ground, slewed, oil, oil_parts, fitted, choice
+            parameters, reeved[?], load[!], inertias[!], constants[!], ramp, motor, hoist_falls, give, around, ground, slewed, oil, oil_parts, fitted, choice
         ) => _;
         linkage[constants]: Vec<Renewed<HeavyLinkage<C>>> = motion::linkage(parts) => _;
         ..geared(way);
@@ -164,7 +164,7 @@ composed! {
     }
 }
 
-luffs!(DoubleLink by theta, omega with motor, oil, oil_parts holds pulls);
+luffs!(DoubleLink by theta, omega with hoist_falls, oil, oil_parts holds pulls);
 
 taut_rope!(pulls by theta);
 

@@ -159,7 +159,7 @@ impl Described for Ellipsograph {
             outlasts(v, moving, &range, [listed!(s: C, A, X_8), listed!(s: G_B, G_L)], found);
         }
         let cases = Cases::read(v, &resisting::PARTS, balance.as_ref(), gravity, found);
-        let given = at_rest! { (cases, driving) without [motor];
+        let given = at_rest! { (cases, driving) without [hoist_falls];
             phi: One(&b::PHI, range.from),
             omega: One(&s::OMEGA, range.speed),
             load: v.of(&s::Q).map(|q| One(&s::Q, q)),
@@ -370,6 +370,7 @@ fn moves(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<Moving
             let boom = weights.number(s::G_B.id).is_some_and(|weight| weight > 0.0);
             boom || turns(weights, &s::G_L, &s::R_L)
         },
+        leads: None,
     };
     Moving::new(v, gravity, &bodies, found)
 }

@@ -66,7 +66,7 @@ composed! {
     EllipsographBoom over C from {
         ..coordinate(phi, omega),
         Parameter inertias: Option<GuidedInertias<C>>,
-        ..plant(motor),
+        ..plant(hoist_falls),
         ..remembered(),
         Load load: Option<One<C>>,
         Parameter bars: Bars<C>,
@@ -108,7 +108,7 @@ composed! {
         ..strong();
         ..sheared();
         guided: GuidedParts<C> = GuidedParts::new(bars, weights[!], inertias[!], choice) => _;
-        hoist: HoistParts<C> = HoistParts::new(ramp, motor, give) => _;
+        hoist: HoistParts<C> = HoistParts::new(ramp, motor, give, hoist_falls) => _;
         ..single_boom(Guided, guided);
         ..geared(way);
         ..exposed(OfGuided);
@@ -127,7 +127,7 @@ composed! {
     }
 }
 
-luffs!(EllipsographBoom by phi, omega with motor holds pulls);
+luffs!(EllipsographBoom by phi, omega with hoist_falls holds pulls);
 
 taut_rope!(pulls by phi);
 

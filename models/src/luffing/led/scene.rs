@@ -10,7 +10,7 @@ use crate::kernel::symbol::Symbol;
 use crate::luffing::led::reeved::{Leading, LedFalls, MOST, Reeved};
 use crate::luffing::led::stretch::Sheave;
 use crate::luffing::moving::scene::Moving;
-use crate::luffing::moving::symbols::{J_H, L_R};
+use crate::luffing::moving::symbols::L_R;
 use crate::luffing::resistances::placed::BARS;
 use crate::luffing::resistances::train::named;
 use crate::parts::motion::degrees;
@@ -70,7 +70,6 @@ impl LedRopeScene {
         if let Some(moving) = moving {
             found.extend(elsewhere(Some(table), s::H_Q.id, moving));
             found.extend(leaning(v));
-            found.extend(unled(v, moving));
         }
         let known: Vec<&str> = bars.iter().copied().chain([FRAME]).collect();
         let mut led = LedRopeScene {
@@ -169,30 +168,4 @@ pub fn elsewhere(table: Option<&Values>, key: &str, moving: &Moving) -> Option<D
     let what = format!("h_Q = {h_q} where l_R = {l_r}: the load hangs at two places");
     let help = format!("at the start the load hangs l_R below the head: set h_Q = \"{l_r}\"");
     Some(table.refuse(key, what, "not l_R", help))
-}
-
-/// What nobody has modelled with a led rope: a hoist that a motor drives, a crane that oil luffs.
-fn unled(v: &Values, moving: &Moving) -> Option<Diagnostic> {
-    let motor = v.table("hoisting").filter(|table| table.stands(J_H.id));
-    match (moving.oil, motor) {
-        (Some(_), _) => {
-            let help = "leave out [luffing.rope], or set fidelity = \"swing\", \"rigid\", \"static\" or \"table\"";
-            Some(v.refuse(
-                "rope",
-                "a hoist rope led over sheaves of a crane that oil luffs",
-                "not modelled",
-                help,
-            ))
-        }
-        (None, Some(table)) => {
-            let help = "leave out [luffing.rope], or let the hoist follow v_h";
-            Some(table.refuse(
-                J_H.id,
-                "a hoist's motor on a rope led over sheaves",
-                "not modelled",
-                help,
-            ))
-        }
-        (None, None) => None,
-    }
 }

@@ -9,7 +9,7 @@ use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
 use crate::luffing::moving::exposed::{Exposed, shared};
 use crate::luffing::moving::geared::Geared;
 use crate::luffing::moving::given::{Constants, Fitted, SlewedParts};
-use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
+use crate::luffing::moving::hoisting::{HoistFalls, HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::hydraulic::{Crane, Hydraulic};
 use crate::luffing::moving::level::Level;
 use crate::luffing::moving::motion::{HauledLinkage, MovingLinkage};
@@ -35,6 +35,7 @@ pub struct HoistParts<P: Calc> {
     pub ramp: Option<HoistRamp<P>>,
     pub motor: Option<HoistMotor<P>>,
     pub give: Option<RopeGive<P>>,
+    pub falls: HoistFalls<P>,
 }
 
 impl<P: Calc> HoistParts<P> {
@@ -42,17 +43,21 @@ impl<P: Calc> HoistParts<P> {
         ramp: &Option<HoistRamp<P>>,
         motor: &Option<HoistMotor<P>>,
         give: &Option<RopeGive<P>>,
+        falls: &Option<HoistFalls<P>>,
     ) -> HoistParts<P> {
         HoistParts {
             ramp: *ramp,
             motor: *motor,
             give: *give,
+            falls: falls.unwrap_or(HoistFalls { m_h: P::constant(1.0) }),
         }
     }
 
-    /// Of a hoist whose speed is commanded.
-    pub fn by_speed(ramp: &Option<HoistRamp<P>>, give: &Option<RopeGive<P>>) -> HoistParts<P> {
-        HoistParts::new(ramp, &None, give)
+    /// With the falls (over one) of a tackle whose rope the mechanism leads, where it does.
+    #[must_use]
+    pub fn led(self, falls: Option<P>) -> HoistParts<P> {
+        let falls = falls.map_or(self.falls, |m_h| HoistFalls { m_h });
+        HoistParts { falls, ..self }
     }
 
     /// The load of a mass (kg) on its rope of a length (m), where it has one.
@@ -77,8 +82,8 @@ impl<P: Calc> HoistParts<P> {
 
     /// A hoist as the rope at the head feels it.
     fn winch(&self) -> Winch<P> {
-        if let Some(HoistMotor { j_h, r_h, m_h, m_f_h }) = self.motor {
-            let ratio = m_h / r_h;
+        if let Some(HoistMotor { j_h, r_h, m_f_h }) = self.motor {
+            let ratio = self.falls.m_h / r_h;
             return Winch::Motor(WinchDrive {
                 mass: (j_h * ratio.square()).def(&m::MASS_H),
                 ratio,

@@ -13,13 +13,14 @@ macro_rules! coordinate {
 }
 pub(crate) use coordinate;
 
-/// Groups of its constants, its hoist, by a motor too where one is named, what is around its load, and what slews with it.
+/// Groups of its constants, its hoist, with the falls of its tackle where they are named, what is around its load, and what slews with it.
 macro_rules! plant {
-    (($($motor:ident)?) $($to:tt)*) => {
+    (($($falls:ident)?) $($to:tt)*) => {
         $crate::component::fragments::composed! { @with {
             Parameter constants: Option<$crate::luffing::moving::given::Constants<C>>,
             Parameter ramp: Option<$crate::luffing::moving::hoisting::HoistRamp<C>>,
-            $(Parameter $motor: Option<$crate::luffing::moving::hoisting::HoistMotor<C>>,)?
+            Parameter motor: Option<$crate::luffing::moving::hoisting::HoistMotor<C>>,
+            $(Parameter $falls: Option<$crate::luffing::moving::hoisting::HoistFalls<C>>,)?
             Parameter give: Option<$crate::luffing::moving::hoisting::RopeGive<C>>,
             Parameter around: Option<$crate::parts::air::AirAround<C>>,
             Parameter ground: Option<$crate::parts::ground::GroundBelow<C>>,

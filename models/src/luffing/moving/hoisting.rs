@@ -18,11 +18,6 @@ pub static HOISTING_KEYS: &[Key] = keys! { s:
     M_B_H >= 0 [over_time, optional]; hoist::CONTROL
 };
 
-/// The same of a hoist whose speed is commanded.
-pub static BY_SPEED_KEYS: &[Key] = keys! { s:
-    L_R > 0, PHI_R [optional], C_R > 0 [optional], D_R >= 0 [optional], V_H [in_steps, optional], A_H > 0 [optional]
-};
-
 quantities! {
     /// A hoist that comes up to its command with an acceleration.
     HoistRamp { a_h: A_H }
@@ -30,7 +25,12 @@ quantities! {
 
 quantities! {
     /// A drum under the moment of a motor.
-    HoistMotor { j_h: J_H, r_h: R_H, m_h: M_H, m_f_h: M_F_H }
+    HoistMotor { j_h: J_H, r_h: R_H, m_f_h: M_F_H }
+}
+
+quantities! {
+    /// Falls of the tackle between a hoist's motor and the load, where the mechanism does not lead the rope itself.
+    HoistFalls { m_h: M_H }
 }
 
 quantities! {
@@ -44,7 +44,7 @@ pub enum HoistKind {
     /// It follows its command at once.
     AtOnce,
     Ramp(HoistRamp<f64>),
-    Motor(HoistMotor<f64>),
+    Motor(HoistMotor<f64>, Option<HoistFalls<f64>>),
 }
 
 /// The load's rope at the start.
@@ -67,7 +67,7 @@ impl LoadRope {
     /// Whether a motor turns the hoist's drum.
     #[must_use]
     pub fn has_motor(&self) -> bool {
-        matches!(self.hoist, HoistKind::Motor(_))
+        matches!(self.hoist, HoistKind::Motor(..))
     }
 }
 
@@ -83,7 +83,7 @@ pub(super) fn load_taken(rope: Option<&LoadRope>, fixed: &'static str) -> impl I
     let hoist = rope.map(|rope| match rope.hoist {
         HoistKind::AtOnce => "hoist",
         HoistKind::Ramp(_) => "hoist_ramp",
-        HoistKind::Motor(_) => "hoist_motor",
+        HoistKind::Motor(..) => "hoist_motor",
     });
     let air = rope.and_then(|rope| rope.air).map(|_| "air");
     let ground = rope.and_then(|rope| rope.ground).map(|_| "ground");
@@ -119,14 +119,15 @@ pub fn hoisting<'a>(v: &'a Values, dynamics: &'a Values, fidelity: &str) -> Resu
 /// What `[luffing.dynamics]` may say of the rope.
 const OF_ROPE: [&Symbol; 4] = [&s::L_R, &s::PHI_R, &s::V_H, &s::A_H];
 
-/// The rope that the load hangs on, where the level has one; `table` says so.
-pub fn load_rope(table: &Values, fidelity: &str) -> Result<Option<LoadRope>, Diagnostic> {
+/// The rope that the load hangs on, where the level has one; `table` says so. `falls` is the table in which the falls of its
+/// tackle stand, where that is not this one.
+pub fn load_rope(table: &Values, fidelity: &str, falls: Option<&str>) -> Result<Option<LoadRope>, Diagnostic> {
     let n = |symbol: &Symbol| table.number(symbol.id);
     match (fidelity, n(&s::L_R)) {
         ("swing" | "hydraulic" | "auto", Some(length)) => Ok(Some(LoadRope {
             length,
             swing: n(&s::PHI_R).unwrap_or(0.0),
-            hoist: winch(table)?,
+            hoist: winch(table, falls)?,
             give: give(table)?,
             air: None,
             ground: None,
@@ -184,7 +185,7 @@ pub fn no_swing(v: &Values, may_swing: bool) -> Option<Diagnostic> {
 }
 
 /// How the hoist moves the rope.
-fn winch(table: &Values) -> Result<HoistKind, Diagnostic> {
+fn winch(table: &Values, falls: Option<&str>) -> Result<HoistKind, Diagnostic> {
     let n = |symbol: &Symbol| table.number(symbol.id);
     let of_motor = [&s::J_H, &s::R_H, &s::M_H, &s::M_F_H, &s::M_M_H, &s::M_B_H];
     let Some(motor) = of_motor.into_iter().find(|symbol| n(symbol).is_some()) else {
@@ -198,13 +199,19 @@ fn winch(table: &Values) -> Result<HoistKind, Diagnostic> {
             "remove it, or what belongs to the motor: J_h, r_h, m_h, M_Fh, M_Mh, M_Bh",
         ));
     }
+    if let (Some(falls), Some(m_h)) = (falls, n(&s::M_H)) {
+        let what = format!("m_h = {} beside m_h of [{falls}]", s::M_H.written(m_h));
+        let help = format!("the falls of the hoist's tackle stand in [{falls}] alone: remove it here");
+        return Err(table.refuse(s::M_H.id, what, "given twice", help));
+    }
     match (n(&s::J_H), n(&s::R_H)) {
-        (Some(j_h), Some(r_h)) => Ok(HoistKind::Motor(HoistMotor {
-            j_h,
-            r_h,
-            m_h: n(&s::M_H).unwrap_or(1.0),
-            m_f_h: n(&s::M_F_H).unwrap_or(0.0),
-        })),
+        (Some(j_h), Some(r_h)) => {
+            let m_f_h = n(&s::M_F_H).unwrap_or(0.0);
+            let own = falls.is_none().then(|| HoistFalls {
+                m_h: n(&s::M_H).unwrap_or(1.0),
+            });
+            Ok(HoistKind::Motor(HoistMotor { j_h, r_h, m_f_h }, own))
+        }
         (j_h, _) => {
             let missing = if j_h.is_none() { &s::J_H } else { &s::R_H };
             let what = format!("{} without {}", motor.id, missing.id);

@@ -7,7 +7,7 @@ use crate::kernel::group::One;
 use crate::luffing::moving::control::ByAxis;
 use crate::luffing::moving::control::continuous::Laws;
 use crate::luffing::moving::given::{Constants, CraneStates, CylinderOil, Fitted, Inputs, Meets, Slack, SlewedParts};
-use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
+use crate::luffing::moving::hoisting::{HoistFalls, HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::hydraulic::Modes;
 use crate::luffing::moving::level::{CraneAt, Level};
 use crate::luffing::resistances::given::{CaseBrake, SecondBrake};
@@ -26,6 +26,7 @@ pub struct MotionSources<C: Calc = f64> {
     pub constants: Option<Constants<C>>,
     pub ramp: Option<HoistRamp<C>>,
     pub motor: Option<HoistMotor<C>>,
+    pub hoist_falls: Option<HoistFalls<C>>,
     pub give: Option<RopeGive<C>>,
     pub around: Option<AirAround<C>>,
     pub ground: Option<GroundBelow<C>>,
@@ -51,6 +52,7 @@ impl MotionSources {
         constants: None,
         ramp: None,
         motor: None,
+        hoist_falls: None,
         give: None,
         around: None,
         ground: None,
@@ -157,6 +159,7 @@ macro_rules! luffs {
                         inputs: given.inputs,
                         constants: given.constants,
                         ramp: given.ramp,
+                        motor: given.motor,
                         give: given.give,
                         around: given.around,
                         ground: given.ground,
@@ -186,6 +189,7 @@ macro_rules! luffs {
                     inputs,
                     constants,
                     ramp,
+                    motor,
                     give,
                     around,
                     ground,
@@ -209,6 +213,7 @@ macro_rules! luffs {
                     inputs,
                     constants,
                     ramp,
+                    motor,
                     give,
                     around,
                     ground,

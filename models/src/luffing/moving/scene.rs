@@ -88,6 +88,8 @@ pub struct Inert {
     pub bodies: &'static str,
     /// Whether a body has inertia by its weight.
     pub weighs: fn(&Values) -> bool,
+    /// Table of a hoist rope that the mechanism leads, with the falls of its tackle.
+    pub leads: Option<&'static str>,
 }
 
 /// A mechanism in motion as the scene describes it; SI.
@@ -195,7 +197,8 @@ impl Moving {
         let mut told = |refused: Diagnostic| found.push(refused);
         let table = table(v, fidelity, bodies).map_err(&mut told).ok()??;
         let hoisting = hoisting(v, table, fidelity).map_err(&mut told).ok()?;
-        let mut rope = load_rope(hoisting, fidelity).map_err(told).ok()?;
+        let falls = bodies.leads.filter(|falls| v.table(falls).is_some());
+        let mut rope = load_rope(hoisting, fidelity, falls).map_err(told).ok()?;
         let area = aside(v, rope.is_some(), found);
         surround(v, &mut rope, gravity, found)?;
         let reach = (bodies.reach, v.of(bodies.reach).unwrap_or(0.0));

@@ -196,7 +196,11 @@ fn sources(moving: &Moving) -> MotionSources {
             _ => None,
         },
         motor: match kind {
-            HoistKind::Motor(motor) => Some(motor),
+            HoistKind::Motor(motor, _) => Some(motor),
+            _ => None,
+        },
+        hoist_falls: match kind {
+            HoistKind::Motor(_, falls) => falls,
             _ => None,
         },
         give: rope.and_then(|rope| rope.give),

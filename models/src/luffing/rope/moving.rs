@@ -5,6 +5,8 @@ use crate::kernel::calc::{Calc, Over};
 use crate::kernel::group::quantities;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::luffing::moving::bodies::{Asked, Body, MovedBody, Moves, hung};
+use crate::luffing::moving::built::HoistParts;
+use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::reduced::{CoordinateNames, Reduced};
 use crate::luffing::moving::single::SingleBoom;
 use crate::luffing::moving::symbols::{self as m, OfSums};
@@ -53,6 +55,16 @@ impl<C: Calc> RopedParts<C> {
             choice: *choice,
         }
     }
+}
+
+/// Its hoist: a drum feels the load through the falls of its tackle.
+pub fn hoist<C: Calc>(
+    ramp: &Option<HoistRamp<C>>,
+    motor: &Option<HoistMotor<C>>,
+    give: &Option<RopeGive<C>>,
+    rig: &Rig<C>,
+) -> HoistParts<C> {
+    HoistParts::new(ramp, motor, give, &None).led(Some(rig.m_h))
 }
 
 /// What of it moves and weighs.

@@ -5,9 +5,14 @@ use crate::kernel::calc::Calc;
 use crate::kernel::group::{group, quantities};
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::Fault;
-use crate::luffing::rope::symbols as s;
 use crate::parts::motion::{Motion, degrees};
 use crate::parts::plane::{self, Point};
+
+/// Quantities of boom and ropes, and of the tackle that carries the load.
+mod s {
+    pub use crate::luffing::moving::symbols::M_H;
+    pub use crate::luffing::rope::symbols::*;
+}
 
 /// What the scene has chosen.
 #[derive(Clone, Copy, Debug)]

@@ -25,7 +25,7 @@ use crate::luffing::counterweight::chapter;
 use crate::luffing::led::scene::{elsewhere, leaning};
 use crate::luffing::moving;
 use crate::luffing::moving::control::luffing::CONTROL;
-use crate::luffing::moving::hoisting::BY_SPEED_KEYS;
+use crate::luffing::moving::hoisting::HOISTING_KEYS;
 use crate::luffing::moving::levels::{self, boom_levels};
 use crate::luffing::moving::scene::{Inert, Moving, SLEWING, brisk, dynamics, outlasts, turns};
 use crate::luffing::moving::symbols as m;
@@ -37,7 +37,6 @@ use crate::luffing::rope::outline::OUTLINE;
 use crate::luffing::rope::position::{BoomChoice, BoomPosition, Compensation, Rig};
 use crate::luffing::rope::resisting;
 use crate::luffing::rope::stages::{Given, RopeBoom};
-use crate::luffing::rope::symbols as s;
 use crate::luffing::strength;
 use crate::luffing::with_balance::{WithBalance, searched};
 use crate::parts::air::AIR_OR_WIND;
@@ -48,6 +47,12 @@ use crate::parts::shaping;
 use crate::parts::teeth;
 use crate::parts::{air, ground, hanging, hydraulics, side_wind, slope, turntable, turntable_control};
 use crate::parts::{motor, starts};
+
+/// Quantities of boom and ropes, and of the tackle that carries the load.
+mod s {
+    pub use crate::luffing::moving::symbols::M_H;
+    pub use crate::luffing::rope::symbols::*;
+}
 
 /// Keys of `[luffing]` with one of the two kinds.
 const fn keys(kind: Key, hoist_rope: &'static [Key]) -> [Key; 21] {
@@ -75,7 +80,7 @@ const fn keys(kind: Key, hoist_rope: &'static [Key]) -> [Key; 21] {
         CONTROL,
         AIR_OR_WIND,
         GROUND,
-        Key::part("hoisting", BY_SPEED_KEYS, "Rope and hoist of a load that swings."),
+        Key::part("hoisting", HOISTING_KEYS, "Rope and hoist of a load that swings."),
         SLEWING,
         INTERPOLATION,
         CASES,
@@ -378,6 +383,7 @@ fn moves(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<Moving
         help: "add [luffing.dynamics] with J_b (kg.m2)",
         bodies: "boom",
         weighs: |weights| turns(weights, &b::G_B, &b::R_B),
+        leads: Some("hoist_rope"),
     };
     let moving = Moving::new(v, gravity, &bodies, found)?;
     let rope = v.table("hoist_rope");

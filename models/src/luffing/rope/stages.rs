@@ -18,7 +18,7 @@ use crate::luffing::moving::balance_in_motion::BalanceInMotion;
 use crate::luffing::moving::built::HoistParts;
 use crate::luffing::moving::control::acting;
 use crate::luffing::moving::fragments::{
-    boom_rates, coordinate, exposed, plant, regulated, remembered, single_boom, surrounded, told,
+    boom_rates, coordinate, exposed, plant, pulled, regulated, remembered, single_boom, surrounded, told,
 };
 use crate::luffing::moving::given::{Fitted, Slack};
 use crate::luffing::moving::level::{CraneAt, Level};
@@ -32,7 +32,7 @@ use crate::luffing::resistances::told::resists;
 use crate::luffing::rope::balancing::{analysed, balanced, balancing, criteria, residual};
 use crate::luffing::rope::forces_in_motion::{self, RopeForces};
 use crate::luffing::rope::losses::Losses;
-use crate::luffing::rope::moving::{BoomInertia, Roped, RopedParts};
+use crate::luffing::rope::moving::{BoomInertia, Roped, RopedParts, hoist};
 use crate::luffing::rope::position::{BoomChoice, BoomPosition, Compensation, Falls, LoadLevel, Path, Rig, Stretch};
 use crate::luffing::rope::resisting::{self, BoomPlaces};
 use crate::luffing::rope::statics::{Hanging, OwnMoment, Pull, RopePulls, hauled, power};
@@ -46,7 +46,7 @@ use crate::parts::starts::way;
 /// Quantities at rest and in motion.
 mod s {
     pub use crate::balance::symbols::{F_KX, F_KY, F_MX, F_MY, N_1};
-    pub use crate::luffing::moving::symbols::{F_AIR, H_G, M_R, N_G, P_AIR, S_R, W_BLOW, Z_LOW};
+    pub use crate::luffing::moving::symbols::{F_AIR, H_G, M_R, M_R_H, N_G, P_AIR, S_R, W_BLOW, Z_LOW};
     pub use crate::luffing::resistances::symbols::F_R;
     pub use crate::luffing::rope::symbols::*;
 }
@@ -94,7 +94,7 @@ composed! {
         tensed[each cases]: Vec<Tensed<C>> = resisting::tensed(wire[!], rig, force[each]);
         ..sheared();
         roped: RopedParts<C> = RopedParts::new(rig, compensation, weights[!], inertia[!], choice) => _;
-        hoist: HoistParts<C> = HoistParts::by_speed(ramp, give) => _;
+        hoist: HoistParts<C> = hoist(ramp, motor, give, rig) => _;
         ..single_boom(Roped, roped);
         ..exposed(OfBoom);
         built[constants]: Vec<Level<C>> = single::built(parts, boom, exposed) => _;
@@ -102,11 +102,10 @@ composed! {
         still: CraneAt<C> = acting::at(phi, omega, states[!], wound, past[!], commands, brake, second, fitted, control, regulating, regime) => _;
         at: CraneAt<C> = stages::hanging(still, slack[!]) => _;
         ..boom_rates(phi, Roped);
-        resisting: C = stages::resisting(built, told, at, phi) => M_R;
+        ..pulled(phi);
         driving: C = stages::driving(built, told, at, phi) => _;
         tackle: C = forces_in_motion::pull(driving, falls) => T_DYN;
         hauled: C = hauled(rig, tackle, speeds) => P_L;
-        led: C = stages::pull(built, told, at, phi) => S_R;
         acting: Acting<C> = single::acting(boom, built, told, at, phi);
         countered: BalanceInMotion<C> = single::countered(acting, balance[!]);
         forces: RopeForces<C> = RopeForces::new(

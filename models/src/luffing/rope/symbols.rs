@@ -20,7 +20,6 @@ symbols! {
     ETA_L: "eta_l" "eta_l" ONE / ONE [within(Range::new(0.0, 1.0).above())], "Efficiency of the whole luffing tackle.", "[Ports001, 5.1]";
     B_X: "B_x" "x_B" M / M, "Sheave B of the hoist rope on the frame, forward of O1.", "[Ports001, 5.1]";
     B_Y: "B_y" "y_B" M / M, "Sheave B of the hoist rope on the frame, above O1.", "[Ports001, 5.1]";
-    M_H: "m_h" "m_h" ONE / ONE [positive], "Falls of the hoist tackle.", "[Ports001, 5.1]";
     ETA_H: "eta_h" "eta_h" ONE / ONE [within(Range::new(0.0, 1.0).above())], "Efficiency of the whole hoist tackle.", "[Ports001, 5.1]";
     M_K: "m_k" "m_k" ONE / ONE [not_negative], "Parts of the hoist rope between the head A and the sheaves at B, all that run there.", "[Ports001, 5.2.3.1]";
     ETA_K: "eta_k" "eta_k" ONE / ONE [within(Range::new(0.0, 1.0).above())], "Efficiency of all parts of the hoist rope between A and B.", "[Ports001, 5.2.3.1]";

@@ -19,7 +19,7 @@ use crate::luffing::moving::bodies::Body;
 use crate::luffing::moving::built::{HoistParts, LevelParts, Outfit};
 use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
 use crate::luffing::moving::given::{Constants, CylinderOil, Fitted, SlewedParts};
-use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
+use crate::luffing::moving::hoisting::{HoistFalls, HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::level::Level;
 use crate::parts::air::AirAround;
 use crate::parts::ground::GroundBelow;
@@ -45,6 +45,7 @@ pub struct CraneParts<P: Calc> {
     pub constants: Constants<P>,
     pub ramp: Option<HoistRamp<P>>,
     pub motor: Option<HoistMotor<P>>,
+    pub hoist_falls: Option<HoistFalls<P>>,
     pub give: Option<RopeGive<P>>,
     pub around: Option<AirAround<P>>,
     pub ground: Option<GroundBelow<P>>,
@@ -118,12 +119,9 @@ where
             }
             false => jib,
         };
-        let pendulum = HoistParts {
-            ramp: self.ramp,
-            motor: self.motor,
-            give: self.give,
-        }
-        .pendulum(load, self.fitted.rope);
+        let hoist = HoistParts::new(&self.ramp, &self.motor, &self.give, &self.hoist_falls);
+        let led = self.reeved.map(|led| led.falls.m_h);
+        let pendulum = hoist.led(led).pendulum(load, self.fitted.rope);
         Bodies {
             boom,
             load: self.reeved.filter(|_| pendulum.is_none()).map(|_| load),

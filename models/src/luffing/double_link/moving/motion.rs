@@ -27,7 +27,7 @@ use crate::luffing::moving::dynamics::Coordinate;
 use crate::luffing::moving::exposed::Exposed;
 use crate::luffing::moving::geared::Geared;
 use crate::luffing::moving::given::{Constants, CylinderOil, Fitted, SlewedParts};
-use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
+use crate::luffing::moving::hoisting::{HoistFalls, HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::level::{CraneAt, Level};
 use crate::luffing::moving::listed::rates_after;
 use crate::luffing::moving::reduced::Renewed;
@@ -86,6 +86,7 @@ pub fn parts<C: Scalar>(
     constants: &Constants<C>,
     ramp: &Option<HoistRamp<C>>,
     motor: &Option<HoistMotor<C>>,
+    hoist_falls: &Option<HoistFalls<C>>,
     give: &Option<RopeGive<C>>,
     around: &Option<AirAround<C>>,
     ground: &Option<GroundBelow<C>>,
@@ -106,6 +107,7 @@ pub fn parts<C: Scalar>(
         constants: *constants,
         ramp: *ramp,
         motor: *motor,
+        hoist_falls: *hoist_falls,
         give: *give,
         around: *around,
         ground: *ground,

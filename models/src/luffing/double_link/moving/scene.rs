@@ -9,6 +9,7 @@ use crate::kernel::symbol::{Symbol, listed};
 use crate::luffing::double_link::moving::built::Inertias;
 use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::symbols as l;
+use crate::luffing::led::scene::ROPE;
 use crate::luffing::moving::scene::{self, Inert, dynamics, turns};
 
 /// How deep the mechanism is modelled.
@@ -60,6 +61,7 @@ impl MovingLink {
                 let jib = weights.number(l::G_2.id).is_some_and(|weight| weight > 0.0);
                 jib || turns(weights, &l::G_1, &l::S_1) || turns(weights, &l::G_3, &l::S_3)
             },
+            leads: Some(ROPE.name),
         };
         let moving = scene::Moving::new(v, gravity, &bodies, found)?;
         let inertias = Inertias::read(v.table("dynamics")?)?;

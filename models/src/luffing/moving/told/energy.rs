@@ -115,7 +115,7 @@ pub(super) fn integrals(moving: &Moving, rate: &'static Symbol) -> Vec<Integral>
     let (motor, hauled) = (moving.has_motor(), moving.is_hauled());
     let elastic = moving.rope.is_some_and(|rope| rope.give.is_some());
     let hoist = match moving.rope.map(|rope| rope.hoist) {
-        Some(HoistKind::Motor(_)) => of(true, &[&m::M_M_H, &m::M_H, &m::V_R], Some(&m::R_H)),
+        Some(HoistKind::Motor(..)) => of(true, &[&m::M_M_H, &m::M_H, &m::V_R], Some(&m::R_H)),
         _ => of(true, &[&m::S_R, &m::V_R], None),
     };
     let friction = [

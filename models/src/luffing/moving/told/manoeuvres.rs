@@ -126,7 +126,7 @@ pub(super) fn planned<T: Shown>(luffing: &Description<T>, moving: &Moving) -> Ve
 fn lifting(moving: &Moving) -> Option<[f64; 2]> {
     let (rope, speed) = (moving.rope?, moving.strongest.hoist.speed.abs());
     match rope.hoist {
-        HoistKind::Motor(_) => Some([LIFTED * rope.length / moving.ramp, 2.0 * moving.ramp]),
+        HoistKind::Motor(..) => Some([LIFTED * rope.length / moving.ramp, 2.0 * moving.ramp]),
         _ if speed == 0.0 => None,
         HoistKind::Ramp(ramp) => Some([speed, speed / ramp.a_h + moving.ramp]),
         HoistKind::AtOnce => Some([speed, moving.ramp]),
@@ -190,7 +190,7 @@ impl Lift {
     fn new(moving: &Moving, model: &MovingComponent, lifts: bool) -> Option<Lift> {
         let lifting = lifting(moving).filter(|_| lifts);
         match moving.rope?.hoist {
-            HoistKind::Motor(_) => {
+            HoistKind::Motor(..) => {
                 let drum = [
                     &m::M_M_H,
                     &m::M_B_H,
