@@ -11,7 +11,7 @@ from fmpy import simulate_fmu
 from scipy.linalg import expm
 
 from conftest import lemnis, typst, words
-from test_bridge import G, LOAD, ROPES, SPREADER, starts, written
+from test_bridge import A_C, G, LOAD, ROPES, SPREADER, V_C, starts, written
 
 LENGTH = 18.0
 SLINGS = {"l_s": 6.0, "e_s": 0.8, "e_1": 0.3, "i_1": 2.0}
@@ -82,6 +82,14 @@ def test_a_heavy_spreader_is_one_pendulum_and_a_light_one_another(tmp_path):
     assert heavy["omega_s1"] == pytest.approx(math.sqrt(G / (LENGTH + SLINGS["l_s"])), rel=1e-6)
 
 
+def against_both(periods):
+    """A quarter of the plain start at once, half of either period late, and half of both: as steps (time, acceleration)."""
+    jumps = [(late + other + time, jump / 4) for late in (0.0, periods[0] / 2) for other in (0.0, periods[1] / 2)
+             for time, jump in ((0.0, A_C), (V_C / A_C, -A_C))]
+    jumps.sort()
+    return [(time, sum(jump for _, jump in jumps[:i + 1])) for i, (time, _) in enumerate(jumps)]
+
+
 @pytest.mark.parametrize("language", ["en", "bg"])
 def test_what_starts_leave_at_both(tmp_path, language):
     """The book's table against the linear motion by the exponential of its matrix, in the modes at the end."""
@@ -91,19 +99,19 @@ def test_what_starts_leave_at_both(tmp_path, language):
     known = words(language)
     assert known["assumption"]["bridge_slung"].split("[")[0] in book
     table = book[book.index(known["table"]["bridge_slings"]):]
-    rows = re.findall(r"^ *((?:\[[^\]]*\],\s*){5})$", table, re.M)[:4]
+    rows = re.findall(r"^ *((?:\[[^\]]*\],\s*){5})$", table, re.M)[:5]
     cells = [[float(cell.replace(",", ".").replace("−", "-").replace(" · 10", "e").translate(str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")))
               for cell in re.findall(r"\[([^\]]*)\]", row)] for row in rows]
-    assert [row[0] for row in cells] == [1, 2, 3, 4]
+    assert [row[0] for row in cells] == [1, 2, 3, 4, 6]
     mass, stiff, push, travel = matrices({})
     square, modes = np.linalg.eig(np.linalg.solve(mass, stiff))
     order = np.argsort(square)
     omega, modes = np.sqrt(square[order]), modes[:, order]
     system = np.zeros((5, 5))
     system[:2, 2:4], system[2:4, :2], system[2:4, 4] = np.eye(2), -np.linalg.solve(mass, stiff), np.linalg.solve(mass, push)
+    periods = 2 * math.pi / omega
     for made, columns in ((0, (1, 2)), (1, (3, 4))):
-        period = 2 * math.pi / omega[made]
-        for number, accelerated in enumerate(starts(period)):
+        for number, accelerated in [*enumerate(starts(periods[made])), (4, against_both(periods))]:
             state, time, rate = np.zeros(4), 0.0, 0.0
             for begin, value in accelerated:
                 state = (expm(system * (begin - time)) @ [*state, rate])[:4]

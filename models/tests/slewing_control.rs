@@ -228,7 +228,7 @@ fn a_set_point_comes_to_zero_with_its_command() {
 }
 
 /// A shaped course is half of itself, and half of itself half a period later, at any time; one of three pulses is a quarter, a
-/// half and a quarter of itself.
+/// half and a quarter of itself; one against two periods is each half again in halves.
 #[test]
 fn a_shaped_course_is_the_sum_of_its_pulses() {
     let rows = vec![[0.5, 0.0], [2.5, 3.0], [7.25, 3.0], [8.0, -5.0], [11.0, 0.0]];
@@ -238,17 +238,22 @@ fn a_shaped_course_is_the_sum_of_its_pulses() {
             between,
             shaped: None,
         };
-        for (pulses, weights) in [(2, &[0.5, 0.5][..]), (3, &[0.25, 0.5, 0.25])] {
-            let shaped = plain.clone().shaped(3.3, pulses);
+        let (halves, quarters) = ([0.5; 2], [0.25, 0.5, 0.25]);
+        for (periods, pulses, weights, lates) in [
+            (&[3.3][..], 2, &halves[..], &[0.0, 1.65][..]),
+            (&[3.3], 3, &quarters, &[0.0, 1.65, 3.3]),
+            (&[3.3, 0.7], 2, &[0.25; 4], &[0.0, 1.65, 0.35, 2.0]),
+        ] {
+            let shaped = plain.clone().shaped(periods, pulses);
             for i in 0..4000 {
                 // Off all breaks.
                 let t = 0.00037 + f64::from(i) * 0.004;
-                let late = weights.iter().zip([0.0, 1.65, 3.3]);
+                let late = weights.iter().zip(lates);
                 let expected: f64 = late.map(|(part, late)| part * plain.at(t - late, t - late)[0]).sum();
                 near(shaped.at(t, t)[0], expected, 1e-12);
             }
             assert_eq!(shaped.rows.len(), 5 * weights.len());
-            near(shaped.end(), 11.0 + 1.65 * (weights.len() - 1) as f64, 1e-12);
+            near(shaped.end(), 11.0 + lates[lates.len() - 1], 1e-12);
             assert_eq!(shaped.plain(), plain);
         }
     }
@@ -283,7 +288,8 @@ fn left(length: f64, shaped: &str) -> f64 {
 }
 
 /// ρ = |cos(π/2 T_sh/T)|: the loop is linear and the load too light to move the crane, so each of the two halves leaves the
-/// same swing, half a period T_sh later. No swing is left on the rope it is shaped for. Three pulses leave the square of it.
+/// same swing, half a period T_sh later. No swing is left on the rope it is shaped for. Three pulses leave the square of it, two periods
+/// the product of what each leaves.
 #[test]
 fn a_shaped_command_leaves_what_its_pulses_leave() {
     let period = 7.8;
@@ -297,6 +303,9 @@ fn a_shaped_command_leaves_what_its_pulses_leave() {
         let expected = libm::cos(FRAC_PI_2 / part.sqrt()).abs();
         table.push((part, two, expected));
         table.push((part, three, expected * expected));
+        let both = left(length, "shaped = [\"7.8 s\", \"3.1 s\"],") / plain;
+        let other = libm::cos(FRAC_PI_2 * 3.1 / 7.8 / part.sqrt()).abs();
+        table.push((part, both, expected * other));
     }
     for (part, measured, expected) in table {
         println!("l = {part} l_0: left {measured:.6}, closed form {expected:.6}");

@@ -328,6 +328,7 @@ impl Described for AfloatScene {
                 number: None,
                 chapter: "afloat_start",
                 given: None,
+                on: None,
                 usual: true,
             });
             value

@@ -18,7 +18,7 @@ use crate::parts::closure::Closure;
 use crate::parts::four_bar::{Branch, FourBar, Names};
 use crate::parts::plane::{self, Point, cross, dot, squared};
 use crate::sway::pendulum::Feedback;
-use crate::sway::starts::Start;
+use crate::sway::starts::{Start, against_both, left_by_both};
 
 /// Lengths of the ropes over that of the scene, of the tables; of ropes that are longer than thought; pieces of the curves, and
 /// steps of a period of the linear oscillator.
@@ -26,6 +26,9 @@ const LENGTHS: [f64; 9] = [0.8, 0.85, 0.9, 0.95, 1.0, 1.05, 1.1, 1.15, 1.2];
 const LONGER: f64 = 1.1;
 const FINE: u32 = 160;
 const STEPS: f64 = 2000.0;
+
+/// Number of the start against both frequencies of a load on slings: behind those of the others and of that under feedback.
+const AGAINST_BOTH: f64 = 6.0;
 
 const RUN_COLUMNS: [&[&Symbol]; 2] = [
     listed!(s: NUMBER, A_P, T_P, PHI_P, RHO_E, RHO_LL, RHO_G),
@@ -207,7 +210,7 @@ pub(super) fn lengths(given: &Given<f64>) -> Vec<Section> {
 }
 
 /// What starts leave of the travel of a load on slings, at both frequencies: of those made for the period of the one and of the
-/// other; where they move, in runs of the model too.
+/// other, and of one made against both; where they move, in runs of the model too.
 pub(super) fn slung_starts<T: Described>(plain: &Description<T>, given: &Given<f64>) -> Option<Table> {
     let (_, hanging) = on(given, 1.0)?;
     let it = given;
@@ -220,6 +223,10 @@ pub(super) fn slung_starts<T: Described>(plain: &Description<T>, given: &Given<f
         &hanging,
     )
     .ok()?;
+    let run = |course| {
+        let [_, rest] = run(plain, &s::X_Q, course, None, slung.period[0])?;
+        Some(rest)
+    };
     let row = |(number, start): (u32, Start)| {
         let left = |period: f64| {
             let [rate, _] = start.timed(told(given), period);
@@ -232,16 +239,23 @@ pub(super) fn slung_starts<T: Described>(plain: &Description<T>, given: &Given<f
         if given.hung.is_none() {
             return Some([&[f64::from(number)][..], &own, &other].concat());
         }
-        let run = |period| {
-            let [_, rest] = run(plain, &s::X_Q, start.course(told(given), period), None, slung.period[0])?;
-            Some(rest)
-        };
-        let [both, last] = [run(slung.period[0])?, run(slung.period[1])?];
-        Some([&[f64::from(number)][..], &own, &[both], &other, &[last]].concat())
+        let [both, last] = slung.period.map(|period| run(start.course(told(given), period)));
+        Some([&[f64::from(number)][..], &own, &[both?], &other, &[last?]].concat())
     };
+    let rows = (1..).zip(Start::ALL).map(row).chain(std::iter::once_with(|| {
+        let told = told(given);
+        let [one, other] = [0, 1].map(|at| {
+            let steady = slung.steady[at].abs() * told[1] / *given.gravity;
+            steady * left_by_both(told, slung.frequency[at], slung.period)
+        });
+        let ran = given.hung.map(|_| run(against_both(told, slung.period)));
+        let ran = ran.map_or(Some(None), |ran| ran.map(Some))?;
+        let half: Vec<f64> = [one, other].into_iter().chain(ran).collect();
+        Some([&[AGAINST_BOTH][..], &half, &half].concat())
+    }));
     Some(Table {
         columns: SLUNG_COLUMNS[usize::from(given.hung.is_some())].to_vec(),
-        rows: (1..).zip(Start::ALL).map(row).collect::<Option<_>>()?,
+        rows: rows.collect::<Option<_>>()?,
     })
 }
 

@@ -366,6 +366,11 @@ impl<T: Described> Description<T> {
                     value: known.value,
                     chapter,
                     usual: known.given.is_none(),
+                    on: known
+                        .given
+                        .as_ref()
+                        .and_then(|given| origins.beside(given, "on"))
+                        .map(str::to_owned),
                     given: known.given.clone(),
                 });
             }

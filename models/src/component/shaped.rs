@@ -38,9 +38,11 @@ fn shaping<T: Described>(told: &Description<T>) -> Option<&Shaped> {
 
 /// Id of what the book says of it.
 fn id(shaping: &Shaped) -> &'static str {
-    match shaping.pulses {
-        2 => "shaping",
-        _ => "shaping_robust",
+    match (shaping.periods.len(), shaping.pulses) {
+        (1, 2) => "shaping",
+        (1, _) => "shaping_robust",
+        (_, 2) => "shaping_twice",
+        _ => "shaping_twice_robust",
     }
 }
 
@@ -50,18 +52,26 @@ pub(super) fn tell<T: Described>(told: &Description<T>, sheet: &mut Sheet) {
         return;
     };
     let [length, gravity] = rope;
+    // One of several has its number.
+    let number = |place: usize| (shaping.periods.len() > 1).then_some(place as u16 + 1);
+    let periods = || shaping.periods.iter().copied().enumerate();
     let (trace, _) = record(|| {
         let [rope, gravity] = [Rec::given(&L_R, length), Rec::given(&G, gravity)];
-        left(Rec::given(&T_SH, shaping.period), shaping.pulses, rope, gravity)
+        let of = |(place, period): (usize, f64)| {
+            let given = Rec::given(&T_SH, period);
+            number(place).map_or(given, |number| given.numbered(number))
+        };
+        left(&periods().map(of).collect::<Vec<_>>(), shaping.pulses, rope, gravity)
     });
-    sheet.inputs.push(Input {
+    sheet.inputs.extend(periods().map(|(place, value)| Input {
         symbol: &T_SH,
-        value: shaping.period,
-        number: None,
+        value,
+        number: number(place),
         chapter: "shaping",
         given: None,
+        on: None,
         usual: true,
-    });
+    }));
     sheet.constants.push(Section {
         id: id(shaping),
         trace,
@@ -76,7 +86,7 @@ pub(super) fn tell<T: Described>(told: &Description<T>, sheet: &mut Sheet) {
 fn table<T: Described>(told: &Description<T>, shaping: &Shaped, [rope, gravity]: [f64; 2]) -> Table {
     let row = |part: f64| {
         let length = part * rope;
-        let [period, left] = left(shaping.period, shaping.pulses, length, gravity);
+        let [period, left] = left(&shaping.periods, shaping.pulses, length, gravity);
         let [shaped, plain] = [swing(told, length, period, true)?, swing(told, length, period, false)?];
         (plain > 0.0).then(|| vec![length, period, left, shaped / plain])
     };
@@ -139,7 +149,7 @@ fn angle(model: &mut MovingComponent) -> Option<f64> {
 fn curve(shaping: &Shaped, [rope, gravity]: [f64; 2]) -> Curve {
     let point = |i: u32| {
         let length = rope * (0.5 + f64::from(i) / f64::from(FINE));
-        let [_, left] = left(shaping.period, shaping.pulses, length, gravity);
+        let [_, left] = left(&shaping.periods, shaping.pulses, length, gravity);
         [length, left]
     };
     Curve {

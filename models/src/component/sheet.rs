@@ -301,6 +301,8 @@ pub struct Input {
     pub chapter: &'static str,
     /// Where the scene gives it.
     pub given: Option<Origin>,
+    /// The body that it is on, where the scene says so.
+    pub on: Option<String>,
     /// Whether the scene leaves it at what is usual.
     pub usual: bool,
 }

@@ -32,9 +32,9 @@ pub struct Course {
 /// How a command is shaped against a swing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shaped {
-    /// Of the swing, in s.
-    pub period: f64,
-    /// Half a period apart: two equal ones, or three that are robust.
+    /// Of the swings, in s: one at least, each of which it leaves without.
+    pub periods: Vec<f64>,
+    /// Of each period, half of it apart: two equal ones, or three that are robust.
     pub pulses: u64,
     /// The command's rows without it.
     plain: Vec<[f64; 2]>,
@@ -58,14 +58,21 @@ impl Course {
     }
 
     /// Half of itself, and half of itself half a period (s) later: of a swing of that period the second pulse takes what the
-    /// first one has given. Three pulses are the same once more. [Singer1990, 76–82]
+    /// first one has given. Three pulses are the same once more; against a further period all of that is so again.
+    /// [Singer1990, 76–82]
     #[must_use]
-    pub fn shaped(mut self, period: f64, pulses: u64) -> Course {
+    pub fn shaped(mut self, periods: &[f64], pulses: u64) -> Course {
         let plain = self.rows.clone();
-        for _ in 1..pulses {
-            self = self.halved(0.5 * period);
+        for period in periods {
+            for _ in 1..pulses {
+                self = self.halved(0.5 * period);
+            }
         }
-        self.shaped = Some(Shaped { period, pulses, plain });
+        self.shaped = Some(Shaped {
+            periods: periods.to_vec(),
+            pulses,
+            plain,
+        });
         self
     }
 

@@ -21,6 +21,9 @@ pub(super) const PULSES: &str = "pulses";
 /// Rows of one quantity at least and at most.
 const ROWS: [usize; 2] = [2, 1000];
 
+/// Most swings against which one is shaped at once.
+pub(super) const SWINGS: usize = 2;
+
 /// Pulses of one that is shaped: the fewest where it does not say how many.
 pub(super) const PULSES_ALLOWED: [u64; 2] = [2, 3];
 
@@ -40,7 +43,7 @@ pub(super) fn read(
     found: &mut Vec<Diagnostic>,
 ) -> Option<Course> {
     let before = found.len();
-    let (mut rows, mut between, mut shaped, mut pulses) = (Vec::new(), None, None, None);
+    let (mut rows, mut between, mut shaped, mut pulses) = (Vec::new(), None, Vec::new(), None);
     for (name, value) in table {
         match (name.get_ref().as_ref(), value.get_ref()) {
             (OVER, DeValue::Array(items)) => {
@@ -64,13 +67,8 @@ pub(super) fn read(
                     }
                 }
             }
-            (SHAPED, DeValue::String(text)) => match quantity(text, &TIME, Sign::Positive) {
-                Ok(period) => shaped = Some(period),
-                Err((message, label, help)) => {
-                    let message = format!("`{path}.{SHAPED}`: {message}");
-                    found.push(Diagnostic::new(value.span(), message, label).help(help));
-                }
-            },
+            (SHAPED, DeValue::String(text)) => shaped.extend(period(text, value.span(), path, found)),
+            (SHAPED, DeValue::Array(items)) => shaped = periods(items, value.span(), path, found),
             (PULSES, _) => pulses = counted(value, path, found).map(|count| (count, name.span())),
             ("source", _) => {}
             _ => {
@@ -92,17 +90,44 @@ pub(super) fn read(
         let message = format!("`{path}`: the time {next} stands behind {first}");
         found.push(Diagnostic::new(place.clone(), message, "not later").help("let the times of its rows rise"));
     }
-    shapeable(key, path, shaped.is_some(), pulses.as_ref(), rows.first(), found);
+    shapeable(key, path, !shaped.is_empty(), pulses.as_ref(), rows.first(), found);
     let rows = rows.into_iter().map(|(time, value, _)| [time, value]).collect();
     let course = between.filter(|_| found.len() == before).map(|between| Course {
         rows,
         between,
         shaped: None,
     })?;
-    Some(match shaped {
-        Some(period) => course.shaped(period, pulses.map_or(PULSES_ALLOWED[0], |(count, _)| count)),
-        None => course,
+    Some(match shaped.as_slice() {
+        [] => course,
+        periods => course.shaped(periods, pulses.map_or(PULSES_ALLOWED[0], |(count, _)| count)),
     })
+}
+
+/// Period of a swing, in s, that stands there.
+fn period(text: &str, span: Range<usize>, path: &str, found: &mut Vec<Diagnostic>) -> Option<f64> {
+    let read = quantity(text, &TIME, Sign::Positive);
+    let refused = |(message, label, help)| {
+        let message = format!("`{path}.{SHAPED}`: {message}");
+        found.push(Diagnostic::new(span, message, label).help(help));
+    };
+    read.map_err(refused).ok()
+}
+
+/// Those of several swings.
+fn periods(items: &[Spanned<DeValue<'_>>], span: Range<usize>, path: &str, found: &mut Vec<Diagnostic>) -> Vec<f64> {
+    let texts = items.iter().map(|item| Some((item.get_ref().as_str()?, item.span())));
+    let texts = texts.collect::<Option<Vec<_>>>();
+    let Some(texts) = texts.filter(|texts| (1..=SWINGS).contains(&texts.len())) else {
+        let message = format!("`{path}.{SHAPED}` is no period, nor {SWINGS} of them");
+        let help =
+            format!("set {SHAPED} = \"... s\", or {SHAPED} = [\"... s\", \"... s\"], against {SWINGS} swings at once");
+        found.push(Diagnostic::new(span, message, "not so many").help(help));
+        return Vec::new();
+    };
+    texts
+        .into_iter()
+        .filter_map(|(text, span)| period(text, span, path, found))
+        .collect()
 }
 
 /// How many pulses a shaped one comes in.

@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value as Json, json};
 
-use crate::kernel::courses::PULSES_ALLOWED;
+use crate::kernel::courses::{PULSES_ALLOWED, SWINGS};
 use crate::kernel::number::short;
 use crate::kernel::schema::{KIND, Key, Kind};
 use crate::kernel::symbol::Symbol;
@@ -36,7 +36,7 @@ fn over_time(time: &Json, value: &Json, between: &[&str]) -> Json {
         "properties": {
             "over": { "type": "array", "items": row, "minItems": 2 },
             "between": { "type": "string", "enum": between },
-            "shaped": time,
+            "shaped": { "anyOf": [time, { "type": "array", "items": time, "minItems": 1, "maxItems": SWINGS }] },
             "pulses": { "type": "integer", "minimum": PULSES_ALLOWED[0], "maximum": PULSES_ALLOWED[1] },
             "source": translated(&json!({ "type": "string" })),
         },

@@ -106,6 +106,17 @@ impl Origins {
         &self.found().1
     }
 
+    /// What the scene says under another key of the table in which it gives a quantity.
+    #[must_use]
+    pub fn beside(&self, given: &Origin, key: &str) -> Option<&str> {
+        let (table, _) = given.key.rsplit_once('.')?;
+        let of_table = |written: &&Written| written.key.rsplit_once('.') == Some((table, key));
+        self.written()
+            .iter()
+            .find(of_table)
+            .map(|written| written.text.as_str())
+    }
+
     /// Where the scene gives the quantity with a key such as `luffing.X_1`.
     #[must_use]
     pub fn of(&self, key: &str) -> Option<&Origin> {

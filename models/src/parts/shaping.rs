@@ -13,10 +13,13 @@ symbols! {
 }
 
 /// T = 2π √(l/g) of a rope (m) under gravity (m/s²), and what pulses half of a period T_sh (s) apart leave: ρ = |cos(π/2 T_sh/T)|
-/// of two equal ones, its square of three.
-pub fn left<C: Calc>(t_sh: C, pulses: u64, length: C, gravity: C) -> [C; 2] {
+/// of two equal ones, its square of three; of several periods, one at least, the product.
+pub fn left<C: Calc>(t_sh: &[C], pulses: u64, length: C, gravity: C) -> [C; 2] {
     let period = (C::constant(TAU) * (length / gravity).sqrt()).def(&T_R);
-    let (_, cos) = (C::constant(PI) * t_sh / (C::constant(2.0) * period)).sin_cos();
-    let left = if pulses == 2 { cos.abs() } else { cos.square() };
-    [period, left.def(&RHO_SH)]
+    let of = |t_sh: &C| {
+        let (_, cos) = (C::constant(PI) * *t_sh / (C::constant(2.0) * period)).sin_cos();
+        if pulses == 2 { cos.abs() } else { cos.square() }
+    };
+    let parts = t_sh.iter().map(of).reduce(|all, part| all * part);
+    [period, parts.map_or(C::constant(1.0), |left| left.def(&RHO_SH))]
 }

@@ -450,6 +450,7 @@ impl Described for SlewingScene {
                 number: None,
                 chapter,
                 given: None,
+                on: None,
                 usual: true,
             });
         };

@@ -162,6 +162,7 @@ impl Described for SteeringScene {
                 value: *value,
                 chapter: "range",
                 given: None,
+                on: None,
                 usual: false,
             })
         });

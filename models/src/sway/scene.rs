@@ -28,6 +28,7 @@ pub fn arrange(inputs: &mut Vec<Input>, start: &[(&'static Symbol, f64)], feedba
                 number: None,
                 chapter: "hook",
                 given: None,
+                on: None,
                 usual: true,
             });
         }

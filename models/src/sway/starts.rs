@@ -82,8 +82,8 @@ impl Start {
         let sixth = period / 6.0;
         let rows = match self {
             Start::Pulse => vec![[0.0, rate], [lasts, 0.0]],
-            // What comes before the first row is as that one.
-            Start::TwoPulses | Start::Robust => vec![[-2.0 * period, 0.0], [0.0, rate], [told[0] / rate, 0.0]],
+            Start::TwoPulses => return pulses(told, &[period], 2),
+            Start::Robust => return pulses(told, &[period], 3),
             Start::Sixths => {
                 let [on, off] = [[2.0 * sixth, rate], [lasts - 2.0 * sixth, 0.0]];
                 let middle = (off[0] > on[0]).then_some([on, off]).into_iter().flatten();
@@ -91,17 +91,37 @@ impl Start {
                 first.into_iter().chain(middle).chain(last).collect()
             }
         };
-        let mut course = Course {
-            rows,
-            between: Between::Steps,
-            shaped: None,
-        };
-        match self {
-            Start::TwoPulses => course = course.shaped(period, 2),
-            Start::Robust => course = course.shaped(period, 3),
-            Start::Pulse | Start::Sixths => {}
-        }
-        course.rows.retain(|[time, _]| *time >= 0.0);
-        course
+        steps(rows)
     }
+}
+
+fn steps(rows: Vec<[f64; 2]>) -> Course {
+    Course {
+        rows,
+        between: Between::Steps,
+        shaped: None,
+    }
+}
+
+/// A start to a speed (m/s) by an acceleration (m/s²), shaped against periods (s) in so many pulses.
+fn pulses([v_c, a_c]: [f64; 2], periods: &[f64], count: u64) -> Course {
+    let late = periods.iter().sum::<f64>() * count as f64;
+    // What comes before the first row is as that one.
+    let plain = steps(vec![[-late, 0.0], [0.0, a_c], [v_c / a_c, 0.0]]);
+    let mut course = plain.shaped(periods, count);
+    course.rows.retain(|[time, _]| *time >= 0.0);
+    course
+}
+
+/// A start in two equal pulses against each of two swings: what the one of their periods (s) leaves the other halves again.
+#[must_use]
+pub fn against_both(told: [f64; 2], periods: [f64; 2]) -> Course {
+    pulses(told, &periods, 2)
+}
+
+/// What that leaves over what hangs back steadily, at a frequency (rad/s): 2|sin(ω τ/2) cos(ω T_1/4) cos(ω T_2/4)|.
+#[must_use]
+pub fn left_by_both<C: Calc>(told: [C; 2], frequency: C, [one, other]: [C; 2]) -> C {
+    let (_, cos) = (frequency * other.scaled(0.25)).sin_cos();
+    Start::TwoPulses.left(told, frequency, one) * cos.abs()
 }

@@ -50,6 +50,8 @@ struct Input {
     value: String,
     /// Whether it is told over time.
     over_time: bool,
+    /// The body that it is on.
+    on: Option<String>,
     /// Where the value comes from: what the scene says of that; else its line of the scene; else what is usual.
     note: Option<String>,
     line: Option<usize>,
@@ -251,6 +253,7 @@ fn input(numbers: &Numbers, input: &sheet::Input, notation: &mut Notation) -> In
         over_time: given.is_some_and(|given| given.over_time),
         usual: input.usual,
         unconfirmed: input.symbol.unconfirmed,
+        on: input.on.clone(),
         line: given.map(|given| given.line),
         note: given.and_then(|given| Some(given.source.as_ref()?.of(numbers.language.code).to_owned())),
     }
