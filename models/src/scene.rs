@@ -345,6 +345,7 @@ impl Scene {
             chapter: LOAD,
             usual: given.is_none(),
             given: given.cloned(),
+            on: None,
         })
     }
 

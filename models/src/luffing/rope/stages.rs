@@ -18,7 +18,7 @@ use crate::luffing::moving::balance_in_motion::BalanceInMotion;
 use crate::luffing::moving::built::HoistParts;
 use crate::luffing::moving::control::acting;
 use crate::luffing::moving::fragments::{
-    boom_rates, coordinate, exposed, plant, pulled, regulated, remembered, single_boom, surrounded, told,
+    boom_rates, coordinate, exposed, plant, regulated, remembered, single_boom, surrounded, told,
 };
 use crate::luffing::moving::given::{Fitted, Slack};
 use crate::luffing::moving::level::{CraneAt, Level};
@@ -102,10 +102,12 @@ composed! {
         still: CraneAt<C> = acting::at(phi, omega, states[!], wound, past[!], commands, brake, second, fitted, control, regulating, regime) => _;
         at: CraneAt<C> = stages::hanging(still, slack[!]) => _;
         ..boom_rates(phi, Roped);
-        ..pulled(phi);
+        resisting: C = stages::resisting(built, told, at, phi) => M_R;
         driving: C = stages::driving(built, told, at, phi) => _;
         tackle: C = forces_in_motion::pull(driving, falls) => T_DYN;
         hauled: C = hauled(rig, tackle, speeds) => P_L;
+        led: C = stages::pull(built, told, at, phi) => S_R;
+        drum: C = stages::drum(built, told, at, phi) => M_R_H;
         acting: Acting<C> = single::acting(boom, built, told, at, phi);
         countered: BalanceInMotion<C> = single::countered(acting, balance[!]);
         forces: RopeForces<C> = RopeForces::new(
