@@ -794,8 +794,9 @@ pub fn dynamics(n: &mut Node, turns: &str, rope: bool, oil: bool) {
         let load = n.get("Q");
         let mut dynamics = n.child("dynamics").expect("there");
         dynamics.remove(&["l_R", "phi_R", "v_h", "a_h"]);
-        let led = ["rope", "hoist_rope"].into_iter().find_map(|name| n.child(name));
-        let falls = led.map(|led| led.get("m_h"));
+        let falls = ["rope", "hoist_rope"]
+            .into_iter()
+            .find_map(|name| n.child(name).map(|led| led.get("m_h")));
         let mut hoist = n.child("hoisting").expect("there");
         if falls.is_some() {
             hoist.remove(&["m_h"]);
