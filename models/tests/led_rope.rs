@@ -544,6 +544,12 @@ fn by_motor() {
     let ready = READY.replace("a_h = \"0.5 m/s2\"", drum);
     let roped = ROPED.replace("v_h = \"-0.1 m/s\"      # lifts\na_h = \"0.25 m/s2\"\n", drum);
     let roped = without(&without(&roped, "[luffing.air]"), "[slewing]");
+    // No brake holds the boom while it moves.
+    let [ready, roped] = [(ready, "3000"), (roped, "6000")].map(|(scene, brake)| {
+        let brake = format!("M_S = \"{brake} kN.m\"");
+        assert!(scene.contains(&brake), "{brake}");
+        scene.replace(&brake, "M_S = \"0 kN.m\"")
+    });
     let turns = "[slewing]\nJ_sl = \"1500000 kg.m2\"\nM_Bsl = \"90000 kN.m\"\n";
     for (scene, [angle, rate], at) in [
         (ready, ["theta_1", "omega_1"], 75.0_f64),
