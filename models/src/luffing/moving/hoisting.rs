@@ -200,8 +200,8 @@ fn winch(table: &Values, falls: Option<&str>) -> Result<HoistKind, Diagnostic> {
         ));
     }
     if let (Some(falls), Some(m_h)) = (falls, n(&s::M_H)) {
-        let what = format!("m_h = {} beside m_h of [{falls}]", s::M_H.written(m_h));
-        let help = format!("the falls of the hoist's tackle stand in [{falls}] alone: remove it here");
+        let what = format!("m_h = {} beside m_h of [luffing.{falls}]", s::M_H.written(m_h));
+        let help = format!("the falls of the hoist's tackle stand in [luffing.{falls}] alone: remove it here");
         return Err(table.refuse(s::M_H.id, what, "given twice", help));
     }
     match (n(&s::J_H), n(&s::R_H)) {
