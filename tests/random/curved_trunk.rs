@@ -80,6 +80,11 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
         let arm = b * weights.draw.between(0.01, 0.1);
         weights.set("r_t", arm);
         weights.remove(&["chi_t"]);
+        if moves && weights.get("G_t") == 0.0 {
+            let [_, mass, _] = weights.draw.scale;
+            let own = mass * weights.draw.g * weights.draw.between(0.01, 0.1);
+            weights.set("G_t", own);
+        }
     } else {
         n.remove(&["balance"]);
     }
@@ -103,7 +108,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     }
     drive_about_origin(&mut n, range, moves);
     if let Some(mut turning) = n.child("slewing") {
-        turning.remove(&["control", "slope", "chi_R"]);
+        turning.remove(&["control", "slope"]);
         turning.remove(&AREA);
     }
     if moves {
@@ -160,9 +165,10 @@ fn held(n: &mut Node, [a, b]: [f64; 2]) {
     }
 }
 
-/// So slowly that what it takes outward leaves the tie taut.
+/// So slowly that what it takes outward leaves the tie taut, from a load that hangs in the boom's plane.
 fn slowly(n: &mut Node) {
     let Some(mut turning) = n.child("slewing") else { return };
+    turning.remove(&["chi_R"]);
     for name in ["omega_sl", "M_sl"] {
         if turning.has(name) {
             let value = turning.get(name);
