@@ -262,34 +262,83 @@ def test_an_importer_that_solves_it_finds_the_same(case, standard):
     assert apart(crane, run, found) < 5e-5, apart(crane, run, found)
 
 
-def test_its_energy_closes(case, tmp_path):
-    """What the motor gives is what the bodies and the drum have more, friction and brakes take, and blows have taken."""
-    crane, paths, times, *_ = case
-    step = 0.001
-    fine = np.arange(0.0, times[-1] + step / 2, step)
-    names = ["phi", "omega", "delta_l", "v_tl", "M_R", "P_Ml", "P_bl", "W_blow"] + (["phi_R", "omega_R"] if crane.swings else [])
-    fmu = Stepped(paths["FMI 3"])
-    rows = np.array(fmu.run([round(t, 10) for t in fine], names))
-    fmu.close()
-    at = dict(zip(names, rows.T))
+STEP = 0.001
 
-    def energy(i):
-        phi, omega = at["phi"][i], at["omega"][i]
-        slack = at["delta_l"][i] != 0.0 or at["v_tl"][i] != 0.0
-        drum = 0.5 * DRUM * (at["v_tl"][i] if slack else TRAVEL(phi) * omega) ** 2
-        own = 0.5 * crane.bodies(phi) * omega ** 2 + crane.height(phi) + drum
-        if not crane.swings:
-            return own
-        head, swing = HEAD(phi), at["phi_R"][i]
-        along, across = np.array([math.sin(swing), -math.cos(swing)]), np.array([math.cos(swing), math.sin(swing)])
-        speed = head[1] * omega + across * ROPE * at["omega_R"][i]
-        return own + Q * (0.5 * speed @ speed + G * (head[0] + along * ROPE)[1])
-    power = at["P_Ml"] - at["P_bl"] + at["M_R"] * at["omega"]
+
+def stepped(path, names, stop):
+    """An FMU's variables at every millisecond."""
+    fmu = Stepped(path)
+    rows = np.array(fmu.run([round(STEP * i, 10) for i in range(round(stop / STEP) + 1)], names))
+    fmu.close()
+    return dict(zip(names, rows.T))
+
+
+def energy(crane, at, i, stiffness=0.0):
+    """Of bodies, drum and load, with what its rope is stretched by."""
+    phi, omega = at["phi"][i], at["omega"][i]
+    slack = at["delta_l"][i] != 0.0 or at["v_tl"][i] != 0.0
+    drum = 0.5 * DRUM * (at["v_tl"][i] if slack else TRAVEL(phi) * omega) ** 2
+    own = 0.5 * crane.bodies(phi) * omega ** 2 + crane.height(phi) + drum
+    if not crane.swings:
+        return own
+    head, swing, far = HEAD(phi), at["phi_R"][i], at["s_Q"][i]
+    along, across = np.array([math.sin(swing), -math.cos(swing)]), np.array([math.cos(swing), math.sin(swing)])
+    speed = head[1] * omega + across * far * at["omega_R"][i] + along * at["v_Q"][i]
+    stretch = max(far - at["l_R"][i], 0.0)
+    return own + Q * (0.5 * speed @ speed + G * (head[0] + along * far)[1]) + 0.5 * stiffness * stretch ** 2
+
+
+POWERS = ["phi", "omega", "delta_l", "v_tl", "M_R", "P_Ml", "P_bl", "W_blow"]
+LOAD = ["phi_R", "omega_R", "l_R", "s_Q", "v_Q"]
+
+
+def closes(crane, at, stiffness=0.0, lost=0.0):
+    """What the motor gives is what the bodies and the drum have more, friction, brakes and rope take, and blows have taken."""
+    power = at["P_Ml"] - at["P_bl"] + at["M_R"] * at["omega"] - lost
     assert at["W_blow"][-1] > 1e3 and np.max(at["P_bl"]) >= 0.0
     # Between commands and blows the trapezoids are exact to the square of their width.
-    work = np.sum(0.5 * (power[1:] + power[:-1])) * step
-    gained = energy(-1) - energy(0) + at["W_blow"][-1]
-    assert abs(work - gained) < 3e-3 * np.sum(np.abs(power)) * step, (work, gained)
+    work = np.sum(0.5 * (power[1:] + power[:-1])) * STEP
+    gained = energy(crane, at, -1, stiffness) - energy(crane, at, 0, stiffness) + at["W_blow"][-1]
+    assert abs(work - gained) < 3e-3 * np.sum(np.abs(power)) * STEP, (work, gained)
+
+
+def test_its_energy_closes(case, tmp_path):
+    crane, paths, times, *_ = case
+    closes(crane, stepped(paths["FMI 3"], POWERS + (LOAD if crane.swings else []), times[-1]))
+
+
+# Beside it: a load's rope that gives way; ground that is met as the boom falls; a continuous controller in the motor's place, which
+# then lowers faster than the boom falls.
+STIFFNESS = 1.2e6
+HOISTING = f'[luffing.hoisting]\nl_R = "{ROPE} m"\nc_R = "{STIFFNESS / 1e3} kN/m"\nd_R = "20 kN.s/m"\n\n'
+BELOW = 0.05
+CONTROL = ('[luffing.control]\nK_pA = "40 MN.m.s"\nK_iA = "40 MN.m"\na_A = "40 deg/s2"\nM_maxA = "3500 kN.m"\nomega_cA = '
+           + course([(0.0, 2.0), (1.2, -20.0), (1.7, 0.0), (2.4, 1.0)], "steps", "deg/s", 1.0) + "\n\n")
+
+
+@pytest.mark.parametrize("beside", ["elastic", "ground", "controlled"])
+def test_its_energy_closes_beside(beside, tmp_path):
+    crane = Crane(True)
+    told = re.sub(r'^name\s*=.*$', 'name = "SlackRope"', scene(True, BRAKED), count=1, flags=re.M)
+    names, stiffness = POWERS + LOAD, 0.0
+    if beside == "controlled":
+        told = re.sub(r"^M_[AS] = .*\n", "", told, flags=re.M).replace("[luffing.limits]", CONTROL + "[luffing.limits]", 1)
+    else:
+        # A rope that meets ground gives way.
+        told = told.replace(f'l_R = "{ROPE} m"\n', "", 1)
+        stiffness, names = STIFFNESS, [*names, "S_Rd", "ddelta_R"]
+        more = HOISTING
+        if beside == "ground":
+            height = HEAD(START)[0][1] - ROPE - Q * G / STIFFNESS - BELOW
+            more, names = f'{HOISTING}[luffing.ground]\ny_G = "{height!r} m"\n\n', [*names, "N_G"]
+        told = told.replace("[luffing.limits]", more + "[luffing.limits]", 1)
+    path = written(tmp_path, "SlackRope", told)["FMI 3"]
+    at = stepped(path, names, 3.0)
+    assert np.max(at["delta_l"]) > 0.01
+    if beside == "ground":
+        assert np.max(at["N_G"]) > 0.0 and np.min(at["N_G"]) == 0.0
+    lost = at["S_Rd"] * at["ddelta_R"] if stiffness else 0.0
+    closes(crane, at, stiffness, lost)
 
 
 def test_a_book_tells_it(tmp_path):
