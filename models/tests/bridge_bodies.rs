@@ -16,7 +16,7 @@ const READY: &str = include_str!("../scenes/bridge_slings.toml");
 
 /// The ready scene without commands, with a sway at the start.
 fn free(phi: &str) -> String {
-    let (head, rest) = READY.split_once("# Each pulse").expect("its commands");
+    let (head, rest) = READY.split_once("# Shaped against").expect("its commands");
     let (_, rest) = rest.split_once("[trolley.tow]").expect("its rope");
     format!("{head}\nphi_R = \"{phi}\"\n[trolley.tow]{rest}")
 }
