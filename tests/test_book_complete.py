@@ -13,7 +13,7 @@ import numpy
 import pytest
 import tomllib
 
-from conftest import ROOT, lemnis, typst
+from conftest import ROOT, lemnis, typst, words
 
 SCENES = sorted(path.stem for path in (ROOT / "models/scenes").glob("*.toml"))
 # What a formula has beside symbols.
@@ -213,3 +213,16 @@ def test_a_result_that_nothing_changes_has_no_column_and_no_ranking():
     assert "R_max" in text and "epsilon_Y" not in text and "mu_min" not in text
     rankings = re.findall(r"drawn\(\d+, \"(.*?)\", alt", text)
     assert rankings and all("solid" in ranking or "more" in ranking or "less" in ranking for ranking in rankings)
+
+
+@pytest.mark.parametrize("language", ["en", "zh", "bg"])
+def test_what_is_on_a_bar_is_told_with_it(language, tmp_path):
+    """The sheaves of a led rope, each with the bar or frame that it is on, in their order."""
+    scene = ROOT / "models/scenes/led_rope.toml"
+    lemnis("book", scene, "--language", language, "--format", "typ", "--output", tmp_path)
+    [path] = tmp_path.glob("*.typ")
+    known = words(language)
+    names = {known["resistance_bodies"][name]: name for name in ("boom", "jib", "rocker", "frame")}
+    told = re.findall(r"x_\(r \d\)\$.*\n  \[([^:：\n]+)(?:\\u\{3a\}|[:：])", path.read_text(encoding="utf-8"))
+    given = tomllib.loads(scene.read_text(encoding="utf-8"))["luffing"]["rope"]["sheave"]
+    assert [names[name] for name in told] == [sheave["on"] for sheave in given]

@@ -103,6 +103,9 @@ fn chosen(scene: &Scene, name: &str, notes: &mut Vec<String>) -> Result<Scene, F
                 keys.iter().for_each(|key| drop(table.remove(key)));
             }
         }
+        if matches!(row.setting.method, Method::Explicit(_)) && !mechanism.contains_key(steps) {
+            mechanism.insert(steps, toml_edit::table());
+        }
         if let Some(table) = mechanism.get_mut(steps).and_then(|item| item.as_table_like_mut()) {
             let step = match row.setting.method {
                 Method::Explicit(step) => step,

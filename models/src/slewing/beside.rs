@@ -36,7 +36,7 @@ pub fn beside(
     if let Some([area, arm]) = borne.wind {
         given.extend([(&s::A_WS, area, false), (&s::R_WS, arm, false)]);
     }
-    let swings = own.text("fidelity") == Some("swing");
+    let swings = matches!(own.text("fidelity"), Some("swing" | "auto"));
     given.extend(borne.rope.filter(|_| swings).map(|length| (&s::L_R, length, false)));
     let all = own.completed(KEYS, tables, &given);
     Some(Arc::new(Description::<SlewingScene>::read(&all, gravity, found)?))

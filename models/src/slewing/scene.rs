@@ -48,9 +48,9 @@ pub const KEYS: &[Key] = keys! { joint:
     OMEGA_SL [optional], PSI_MIN [optional], PSI_MAX [optional], CHI_R [optional];
     Key::choice(
         "fidelity",
-        &["static", "rigid", "swing"],
+        &["static", "rigid", "swing", "auto"],
         "How deep slewing by itself is modelled: \"static\" (angle and speed are inputs), \"rigid\" (it moves under a \
-         moment), \"swing\" (its load swings on a rope besides).",
+         moment), \"swing\" (its load swings on a rope besides), \"auto\" (as deep as the accuracy asks for).",
     ),
     Key::quantity(&s::L_R, Sign::Positive).optional(),
     Key::quantity(&s::PHI_R, Sign::Any).optional(),
@@ -89,18 +89,9 @@ static DYNAMICS: &[Key] = keys! { s: STEP > 0 };
 /// How the motion is solved.
 pub const SOLVED: Key = Key::part("dynamics", DYNAMICS, "How slewing by itself is solved.");
 
-/// Keys that say something of a motion alone.
-const MOVING: [&str; 9] = [
-    "M_sl",
-    "M_Bsl",
-    "psi_sl",
-    "omega_sl",
-    "psi_min",
-    "psi_max",
-    "dynamics",
-    "control",
-    COUPLING.name,
-];
+/// Quantities and tables that say something of a motion alone.
+const MOVED: [&str; 6] = ["M_sl", "M_Bsl", "psi_sl", "omega_sl", "psi_min", "psi_max"];
+const MOVING: [&str; 3] = ["dynamics", CONTROL.name, COUPLING.name];
 
 /// What the rates cost, in s, without a load that swings and with it.
 const COST: [[f64; 2]; 2] = [[0.1e-6, 0.0], [0.4e-6, 0.0]];
@@ -121,8 +112,12 @@ pub const ENTRY: Entry = Description::<SlewingScene>::entry("platform", KEYS);
 
 /// Whether it moves, and whether its load swings; refuses what is missing for that, and what has no use then.
 fn suits(v: &Values, found: &mut Vec<Diagnostic>) -> [bool; 2] {
-    let swings = v.text("fidelity") == Some("swing");
-    let moves = swings || v.text("fidelity") == Some("rigid");
+    let level = v.text("fidelity");
+    // What is left to the accuracy may come to all that the scene has keys for.
+    let auto = level == Some("auto");
+    let motion = || MOVED.iter().chain(&MOVING).find(|key| v.has(key));
+    let swings = level == Some("swing") || auto && v.has(s::L_R.id);
+    let moves = swings || level == Some("rigid") || auto && motion().is_some();
     for (symbol, example) in [(&s::R, "20 m"), (&s::Q, "100 kN")] {
         if !v.stands(symbol.id) {
             let id = symbol.id;
@@ -138,7 +133,7 @@ fn suits(v: &Values, found: &mut Vec<Diagnostic>) -> [bool; 2] {
         let help = "add from, to, step and speed in [slewing.motion], or a [luffing]";
         found.push(v.refuse("motion", "`motion` is missing in [slewing]", "needed here", help));
     }
-    if let (false, Some(key)) = (moves, MOVING.iter().find(|key| v.has(key))) {
+    if let (false, Some(key)) = (moves, motion()) {
         let what = format!("`{key}` of slewing that is set in its place");
         found.push(v.refuse(
             key,
@@ -353,6 +348,7 @@ impl Described for SlewingScene {
             _ => vec![
                 ("dynamics", &[]),
                 ("slewing", &SWINGING),
+                ("slewing", &MOVED),
                 self.still(),
                 (CONTROL.name, &[]),
                 (COUPLING.name, &[]),
