@@ -168,6 +168,22 @@ def test_auto_of_a_boom_leaves_out_what_no_accuracy_asks_for(tmp_path, asked, le
     assert np.isfinite(run["A.x"]).all()
 
 
+@pytest.mark.parametrize("asked, level", [('"M_st" = "9000 kN.m"', "static"), ('"phi_R" = "0.1 deg"', "swing")])
+def test_auto_of_slewing_leaves_out_what_no_accuracy_asks_for(tmp_path, asked, level):
+    text = (ROOT / "models/scenes/slewing_swing.toml").read_text(encoding="utf-8")
+    text = text.replace('fidelity = "swing"', 'fidelity = "auto"').replace("[project]", f"accuracy = {{ {asked} }}\n\n[project]", 1)
+    path = tmp_path / "scene.toml"
+    path.write_text(text, encoding="utf-8")
+    told = lemnis("fmu", path, "--output", tmp_path)
+    assert f"the cheapest that keeps to the accuracy: {level}" in told
+    file = str(tmp_path / "SlewingSwing.fmu")
+    assert fmpy.validation.validate_fmu(file) == []
+    with zipfile.ZipFile(file) as archive:
+        slewing = tomllib.loads(archive.read("resources/scene.toml").decode("utf-8"))["slewing"]
+    assert slewing["fidelity"] == level and all((key in slewing) == (level == "swing") for key in ("l_R", "M_sl", "psi_min", "dynamics"))
+    assert np.isfinite(fmpy.simulate_fmu(file, stop_time=2.0)["M_st"]).all()
+
+
 def test_what_nothing_keeps_to_is_said(tmp_path):
     path = scene(tmp_path, "auto", SWING, 'accuracy = { "A.x" = "1e-12 m" }')
     message = lemnis("fmu", path, "--output", tmp_path / "out", expect=1)

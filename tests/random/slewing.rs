@@ -25,7 +25,12 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     }
     let inertia = n.draw.natural(&s::J_TOT) * n.draw.between(0.2, 5.0);
     n.set("J_sl", inertia);
-    if n.text("fidelity") == Some("swing") {
+    let told = n.text("fidelity").unwrap_or("static").to_owned();
+    let level = match told.as_str() {
+        "auto" => n.draw.pick(&["static", "rigid", "swing"]),
+        level => level,
+    };
+    if level == "swing" {
         n.keep("l_R", true);
         let rope = n.draw.natural(&s::L_R) * n.draw.between(0.2, 2.0);
         n.set("l_R", rope);
@@ -42,7 +47,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
         windy(&mut n, inertia, None);
     }
     let start = n.draw.between(-PI, PI);
-    if matches!(n.text("fidelity"), Some("rigid" | "swing")) {
+    if matches!(level, "rigid" | "swing") {
         for (name, angle) in [("psi_sl", start), ("psi_min", start - 0.5), ("psi_max", start + 1.0)] {
             if n.has(name) {
                 n.set(name, angle);
