@@ -315,6 +315,10 @@ impl Described for AfloatScene {
         }))
     }
 
+    fn step_by(&mut self, step: f64) {
+        self.step = self.step.map(|_| step);
+    }
+
     fn solver(&self) -> Option<Solver> {
         self.step.map(|step| Solver::explicit(&s::STEP, step, COST))
     }

@@ -295,6 +295,10 @@ impl Described for BridgeScene {
         }))
     }
 
+    fn step_by(&mut self, step: f64) {
+        self.step = step;
+    }
+
     fn solver(&self) -> Option<Solver> {
         let cost = self.given.hung.map_or(COST, |_| SLUNG_COST);
         self.moves().then(|| Solver::explicit(&s::STEP, self.step, cost))

@@ -29,6 +29,9 @@ pub trait MovedBeside: fmt::Debug + Send + Sync {
     /// The same at one of these.
     fn at(&self, level: &str) -> Arc<dyn MovedBeside>;
 
+    /// The same with another longest inner step (s).
+    fn stepping(&self, step: f64) -> Arc<dyn MovedBeside>;
+
     /// Ids of its level and of what its model takes for granted.
     fn assumptions(&self) -> Vec<&'static str>;
 
@@ -56,6 +59,12 @@ impl<T: Described> MovedBeside for Description<T> {
     fn at(&self, level: &str) -> Arc<dyn MovedBeside> {
         let mut other = self.clone();
         other.own.set_level(level);
+        Arc::new(other)
+    }
+
+    fn stepping(&self, step: f64) -> Arc<dyn MovedBeside> {
+        let mut other = self.clone();
+        other.own.step_by(step);
         Arc::new(other)
     }
 

@@ -89,6 +89,9 @@ pub trait Described: Clone + fmt::Debug + Send + Sync + Sized + 'static {
     /// Leaves out what a level does not have.
     fn set_level(&mut self, _level: &str) {}
 
+    /// Sets its longest inner step, as in [`Mechanism::step_by`].
+    fn step_by(&mut self, _step: f64) {}
+
     /// What a level has no use for, as in [`Mechanism::unused`].
     fn unused(&self, _level: &str) -> Vec<(&'static str, &'static [&'static str])> {
         Vec::new()
@@ -434,6 +437,10 @@ impl<T: Described> Mechanism for Description<T> {
 
     fn interpolate(&mut self, tolerance: f64) {
         self.table = Some(tolerance);
+    }
+
+    fn step_by(&mut self, step: f64) {
+        self.own.step_by(step);
     }
 
     fn unused(&self, level: &str) -> Vec<(&'static str, &'static [&'static str])> {

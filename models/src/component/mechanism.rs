@@ -53,6 +53,9 @@ pub trait Mechanism: Any + Send + Sync {
     /// Sets the tolerance of the level `table`, where there is one.
     fn interpolate(&mut self, _tolerance: f64) {}
 
+    /// Sets the longest inner step (s) of a motion, where that is no variable of its model.
+    fn step_by(&mut self, _step: f64) {}
+
     /// What a level has no use for: tables of the scene, each with some keys, or as a whole where none is named.
     fn unused(&self, level: &str) -> Vec<(&'static str, &'static [&'static str])>;
 

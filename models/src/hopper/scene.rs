@@ -188,6 +188,10 @@ impl Described for HopperScene {
         }))
     }
 
+    fn step_by(&mut self, step: f64) {
+        self.step = step;
+    }
+
     fn solver(&self) -> Option<Solver> {
         (self.given.command).map(|_| Solver::explicit(&s::STEP, self.step, COST))
     }

@@ -381,6 +381,10 @@ impl Described for SlewingScene {
         }))
     }
 
+    fn step_by(&mut self, step: f64) {
+        self.step = step;
+    }
+
     fn solver(&self) -> Option<Solver> {
         let cost = COST[usize::from(self.given.swung.is_some())];
         (self.given.driven).map(|_| Solver::explicit(&s::STEP, self.step, cost))

@@ -316,6 +316,10 @@ impl Described for UnloaderScene {
         }))
     }
 
+    fn step_by(&mut self, step: f64) {
+        self.step = step;
+    }
+
     fn solver(&self) -> Option<Solver> {
         (self.given.swaying).map(|_| Solver::explicit(&s::STEP, self.step, COST))
     }

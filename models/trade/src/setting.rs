@@ -83,6 +83,9 @@ impl Setting {
         if let Method::Interpolated(tolerance) = self.method {
             scene.mechanism.interpolate(tolerance);
         }
+        if let Method::Explicit(step) = self.method {
+            scene.mechanism.step_by(step);
+        }
         let mut model = scene.model()?;
         let set = |model: &mut Model, id: &str, value| match index(model, id) {
             Some(index) => model.set(index, value),

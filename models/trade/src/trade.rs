@@ -12,7 +12,7 @@ use crate::compared::{AGREEMENT, Asked, Size, all_keep, distance};
 use crate::experiment::{Experiment, Seen};
 use crate::library::Library;
 use crate::parts::{Part, left_out, parts};
-use crate::setting::{Method, Setting, index};
+use crate::setting::{Setting, index};
 use crate::timed::Timed;
 
 /// Communication step where nothing else is asked for, in s.
@@ -151,14 +151,6 @@ impl Trade {
         let levels = scene.levels();
         let deepest = levels.last().copied().unwrap_or("static");
         let mut experiment = Experiment::new(&scene.at(deepest), sample)?;
-        if let (Method::Explicit(_), model) = (Setting::fine(scene, deepest).method, scene.at(deepest).model()?)
-            && index(&model, "step").is_none()
-        {
-            return Err(Failure::Refused(Fault::new(format!(
-                "the solver's step at level {deepest} is a key of the scene and no variable: what other steps cost is not \
-                 compared; `lemnis trade --realtime` tells how long its own take"
-            ))));
-        }
         let mut asked = asked(scene, deepest)?;
         let left_out = left_out(scene, deepest, &asked);
         let mut names: Vec<String> = asked.iter().map(|asked| asked.name.clone()).collect();

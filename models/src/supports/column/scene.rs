@@ -190,6 +190,10 @@ impl Described for ColumnScene {
         this.turning.moving()
     }
 
+    fn step_by(&mut self, step: f64) {
+        self.turning.step_by(step);
+    }
+
     fn solver(&self) -> Option<Solver> {
         self.turning.solver()
     }

@@ -182,6 +182,11 @@ impl TurningScene {
         self.slewing = moved.map(|slewing| slewing.at(level));
     }
 
+    /// Sets the longest inner step (s) of what slews.
+    pub fn step_by(&mut self, step: f64) {
+        self.slewing = self.slewing.take().map(|slewing| slewing.stepping(step));
+    }
+
     /// What a level has no use for.
     pub fn unused(&self, level: &str) -> Vec<(&'static str, &'static [&'static str])> {
         match level {

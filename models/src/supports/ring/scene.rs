@@ -256,6 +256,10 @@ impl Described for RingScene {
         this.turning.moving()
     }
 
+    fn step_by(&mut self, step: f64) {
+        self.turning.step_by(step);
+    }
+
     fn solver(&self) -> Option<Solver> {
         self.turning.solver()
     }
