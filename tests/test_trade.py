@@ -149,37 +149,33 @@ def test_auto_is_the_cheapest_and_the_same_again(tmp_path):
         assert fmpy.validation.validate_fmu(str(folder / "LemniscateCrane.fmu")) == []
 
 
+def chosen(folder, name, asked, level):
+    """The FMU of a ready scene whose level is left to an accuracy, the scene in it, and what is told."""
+    text = (ROOT / f"models/scenes/{name}.toml").read_text(encoding="utf-8")
+    text = text.replace('fidelity = "swing"', 'fidelity = "auto"').replace("[project]", f"accuracy = {{ {asked} }}\n\n[project]", 1)
+    path = folder / "scene.toml"
+    path.write_text(text, encoding="utf-8")
+    told = lemnis("fmu", path, "--output", folder)
+    assert f"the cheapest that keeps to the accuracy: {level}" in told
+    file = str(folder / f'{tomllib.loads(text)["name"]}.fmu')
+    assert fmpy.validation.validate_fmu(file) == []
+    with zipfile.ZipFile(file) as archive:
+        return file, tomllib.loads(archive.read("resources/scene.toml").decode("utf-8")), told
+
+
 @pytest.mark.parametrize("asked, level, left", [("5 m", "table", set()), ("1 mm", "swing", {"hoisting", "slewing", "dynamics"})])
 def test_auto_of_a_boom_leaves_out_what_no_accuracy_asks_for(tmp_path, asked, level, left):
     """A boom that slews beside its table: parts at the top of the scene go with a level that has none."""
-    text = (ROOT / "models/scenes/rope_slewing.toml").read_text(encoding="utf-8")
-    text = text.replace('fidelity = "swing" ', 'fidelity = "auto" ').replace("[project]", f'accuracy = {{ "A.x" = "{asked}" }}\n\n[project]', 1)
-    path = tmp_path / "scene.toml"
-    path.write_text(text, encoding="utf-8")
-    told = lemnis("fmu", path, "--output", tmp_path)
-    assert f"the cheapest that keeps to the accuracy: {level}" in told
-    file = str(tmp_path / "RopeSlewing.fmu")
-    assert fmpy.validation.validate_fmu(file) == []
-    with zipfile.ZipFile(file) as archive:
-        inside = tomllib.loads(archive.read("resources/scene.toml").decode("utf-8"))
+    file, inside, _ = chosen(tmp_path, "rope_slewing", f'"A.x" = "{asked}"', level)
     luffing = inside["luffing"]
     assert luffing["fidelity"] == level and {"hoisting", "slewing", "dynamics"} & (set(luffing) | set(inside)) == left
-    run = fmpy.simulate_fmu(file, stop_time=2.0)
-    assert np.isfinite(run["A.x"]).all()
+    assert np.isfinite(fmpy.simulate_fmu(file, stop_time=2.0)["A.x"]).all()
 
 
 @pytest.mark.parametrize("asked, level", [('"M_st" = "9000 kN.m"', "rigid"), ('"phi_R" = "0.1 deg"', "swing")])
 def test_auto_of_slewing_leaves_out_what_no_accuracy_asks_for(tmp_path, asked, level):
-    text = (ROOT / "models/scenes/slewing_swing.toml").read_text(encoding="utf-8")
-    text = text.replace('fidelity = "swing"', 'fidelity = "auto"').replace("[project]", f"accuracy = {{ {asked} }}\n\n[project]", 1)
-    path = tmp_path / "scene.toml"
-    path.write_text(text, encoding="utf-8")
-    told = lemnis("fmu", path, "--output", tmp_path)
-    assert f"the cheapest that keeps to the accuracy: {level}" in told
-    file = str(tmp_path / "SlewingSwing.fmu")
-    assert fmpy.validation.validate_fmu(file) == []
-    with zipfile.ZipFile(file) as archive:
-        slewing = tomllib.loads(archive.read("resources/scene.toml").decode("utf-8"))["slewing"]
+    file, inside, told = chosen(tmp_path, "slewing_swing", asked, level)
+    slewing = inside["slewing"]
     assert slewing["fidelity"] == level and ("l_R" in slewing) == (level == "swing") and {"M_sl", "psi_min"} <= set(slewing)
     # The scene gives no step; what was chosen by its work runs with that.
     assert slewing["dynamics"]["step"] in told
