@@ -242,7 +242,7 @@ fn a_shaped_course_is_the_sum_of_its_pulses() {
         for (periods, pulses, weights, lates) in [
             (&[3.3][..], 2, &halves[..], &[0.0, 1.65][..]),
             (&[3.3], 3, &quarters, &[0.0, 1.65, 3.3]),
-            (&[3.3, 0.7], 2, &[0.25; 4], &[0.0, 1.65, 0.35, 2.0]),
+            (&[3.3, 0.9], 2, &[0.25; 4], &[0.0, 1.65, 0.45, 2.1]),
         ] {
             let shaped = plain.clone().shaped(periods, pulses);
             for i in 0..4000 {
