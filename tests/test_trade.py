@@ -270,13 +270,12 @@ def test_steps_by_the_clock(tmp_path):
 
 
 def test_what_slews_alone_has_steps_by_the_clock():
-    """Its own moment turns it; its step is a key, which `trade` cannot vary, and says so."""
+    """Its own moment turns it."""
     scene = ROOT / "models/scenes/slewing_swing.toml"
     rows = [line.split() for line in lemnis("trade", scene, "--realtime").splitlines()[3:-1]]
     assert [row[0] for row in rows] == ["static", "rigid", "swing"]
     # Four evaluations of RK4 in a quiet step.
     assert all(int(row[5]) % 4 == 0 and int(row[5]) >= 4 for row in rows[1:])
-    assert "--realtime" in lemnis("trade", scene, expect=1)
 
 
 def test_parts_are_left_out_one_by_one(tmp_path):
