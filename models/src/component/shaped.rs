@@ -15,7 +15,7 @@ use crate::kernel::gravity::G;
 use crate::kernel::record::{Rec, record};
 use crate::kernel::symbol::{Symbol, listed};
 use crate::parts::hanging::{L_R, PHI_R, PLACE};
-use crate::parts::shaping::{T_SH, left};
+use crate::parts::shaping::{T_SH, T_SHI, left};
 
 /// Of a shaped command and a rope.
 mod s {
@@ -53,18 +53,20 @@ pub(super) fn tell<T: Described>(told: &Description<T>, sheet: &mut Sheet) {
     };
     let [length, gravity] = rope;
     // One of several has its number.
-    let number = |place: usize| (shaping.periods.len() > 1).then_some(place as u16 + 1);
+    let several = shaping.periods.len() > 1;
+    let number = |place: usize| several.then_some(place as u16 + 1);
+    let symbol = if several { &T_SHI } else { &T_SH };
     let periods = || shaping.periods.iter().copied().enumerate();
     let (trace, _) = record(|| {
         let [rope, gravity] = [Rec::given(&L_R, length), Rec::given(&G, gravity)];
         let of = |(place, period): (usize, f64)| {
-            let given = Rec::given(&T_SH, period);
+            let given = Rec::given(symbol, period);
             number(place).map_or(given, |number| given.numbered(number))
         };
         left(&periods().map(of).collect::<Vec<_>>(), shaping.pulses, rope, gravity)
     });
     sheet.inputs.extend(periods().map(|(place, value)| Input {
-        symbol: &T_SH,
+        symbol,
         value,
         number: number(place),
         chapter: "shaping",

@@ -7,6 +7,7 @@ use crate::kernel::symbol::symbols;
 
 symbols! {
     T_SH: "T_sh" "T_\"sh\"" S / S [positive], "Period of a swing against which the command is shaped: its pulses come half of it one after the other.", "input";
+    T_SHI: "T_shi" "T_(\"sh\" i)" S / S [positive], "Period of one of the swings against which the command is shaped: its pulses come half of it one after the other.", "input";
     T_R: "T_R" "T_R" S / S [not_negative], "Period of small swings on the rope under a head that moves as commanded.", "derived";
     RHO_RUN: "rho_run" "rho_\"run\"" ONE / ONE [not_negative], "The same in runs of the model: greatest angle of the rope from the vertical in the period after the command's end, over that without shaping.", "equations of motion";
     RHO_SH: "rho_sh" "rho_\"sh\"" ONE / ONE [not_negative], "What the shaped command leaves of the swing: part of that which the command leaves unshaped.", "[Singer1990, 76–82]";
