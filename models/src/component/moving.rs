@@ -334,6 +334,10 @@ impl Running for MovingComponent {
         own.into_iter().chain(self.next_break()).reduce(f64::min)
     }
 
+    fn next_break(&self) -> Option<f64> {
+        self.commands.as_ref().and_then(Commands::next)
+    }
+
     fn warning(&self) -> Option<&'static str> {
         self.carrier.warning()
     }

@@ -85,8 +85,13 @@ pub trait Running: Any + Send {
         Ok(false)
     }
 
-    /// Time of the next event that is known beforehand, in s: a sample of the PLC.
+    /// Time of the next event that is known beforehand, in s: a sample of the PLC, or a break of a command.
     fn next_event(&self) -> Option<f64> {
+        None
+    }
+
+    /// Time of the next break of a command that its scene tells over time, in s.
+    fn next_break(&self) -> Option<f64> {
         None
     }
 

@@ -2,12 +2,16 @@
 
 use crate::kernel::calc::Calc;
 
+/// Slower, in m/s, it stands: a speed that is summed from accelerations ends at rest but for its rounding.
+const STANDS: f64 = 1e-9;
+
 /// Which way a trolley goes, or starts to go: forward (1), backward (−1), or it stands (0).
 #[must_use]
 pub fn sense(v: f64, a: f64) -> f64 {
-    match [v, a].into_iter().find(|value| *value != 0.0) {
-        Some(way) => way.signum(),
-        None => 0.0,
+    match [v, a] {
+        [v, _] if v.abs() > STANDS => v.signum(),
+        [_, a] if a != 0.0 => a.signum(),
+        _ => 0.0,
     }
 }
 

@@ -61,7 +61,7 @@ impl Library {
         let mut start = vec![0.0; states];
         let (mut before, mut after) = (vec![0.0; indicators], vec![0.0; indicators]);
         while left > 0.0 {
-            // A sample of the PLC is an event whose time is known; one at the end belongs to the next call.
+            // The times of breaks and of samples of the PLC are known; a sample at the end belongs to the next call.
             let now = to - left;
             let mut due = model.next_event().map_or(f64::INFINITY, |at| at - now);
             if due <= ROUNDING {
@@ -104,6 +104,10 @@ impl Library {
             left -= high;
         }
         model.set_time(to);
+        // A command has its new value from a break on, also where the step ends there.
+        if model.next_break().is_some_and(|at| at <= to + ROUNDING) {
+            model.event()?;
+        }
         model.update()
     }
 

@@ -190,11 +190,6 @@ impl MovingComponent {
         Ok(())
     }
 
-    /// Time of the next break, in s.
-    pub(super) fn next_break(&self) -> Option<f64> {
-        self.commands.as_ref().and_then(Commands::next)
-    }
-
     /// How fast a quantity changes in a direction: one that is told over time with the time alone.
     pub(super) fn seed(&self, (symbol, number): Quantity, seed: &dyn Fn(Quantity) -> f64) -> f64 {
         let time = self.standing.time();
