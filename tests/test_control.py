@@ -154,3 +154,17 @@ def test_the_book_has_what_runs_leave_of_the_swing(tmp_path):
     lemnis("book", SPEED, "--format", "typ", "--output", tmp_path)
     [told] = re.findall(r"\[18\.0\],\[8\.511\],\[0\.0002\],\[([\d.]+)\]", (tmp_path / "SlewingBySpeed.typ").read_text(encoding="utf-8"))
     assert float(told) == pytest.approx(most["shaped"] / most["plain"], abs=1e-3)
+
+
+def test_two_periods_are_told_apart_in_the_book(tmp_path):
+    """Shaped against two swings: the formula has both periods by their numbers, and is the product of what each leaves of the load's."""
+    scene = SPEED.read_text(encoding="utf-8").replace('shaped = "8.51 s"', 'shaped = ["8.51 s", "5 s"]')
+    (tmp_path / "two.toml").write_text(scene, encoding="utf-8")
+    lemnis("book", tmp_path / "two.toml", "--format", "typ", "--output", tmp_path)
+    text = (tmp_path / "SlewingBySpeed.typ").read_text(encoding="utf-8")
+    said = re.search(r"absolute value of cosine of fraction pi times T sh 1 over 2 times T R .*? times absolute value of cosine of fraction "
+                     r"pi times T sh 2 over 2 times T R end of fraction equals .*?([\d.]+) times 10 to the power of minus (\d+)", text)
+    length, g = 18.0, 9.81
+    period = 2 * np.pi * np.sqrt(length / g)
+    left = abs(np.cos(np.pi / 2 * 8.51 / period) * np.cos(np.pi / 2 * 5.0 / period))
+    assert float(said[1]) * 10.0 ** -int(said[2]) == pytest.approx(left, rel=1e-4)

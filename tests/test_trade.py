@@ -198,6 +198,21 @@ def test_what_has_its_step_as_a_key_is_traded_too(tmp_path, name, level):
     assert all(0.4 < part < 1.6 for part in fourth) and (len(fourth) >= 2) == (level == "swing"), fourth
 
 
+@pytest.mark.parametrize("name, moves, result", [("container_bridge", "x_t", "F_r"), ("bridge_slings", "x_t", "F_r"), ("hopper", "m_h", "q_in")])
+def test_commands_in_steps_are_compared_at_their_jumps(tmp_path, name, moves, result):
+    """A command jumps at communication steps, and what follows from it at once: two codes agree there too, also on what resists a
+    trolley whose speed has come back to rest but for its rounding."""
+    lemnis("trade", ROOT / f"models/scenes/{name}.toml", "--output", tmp_path, "--rounds", 1)
+    [path] = tmp_path.glob("*_trade.json")
+    told = json.loads(path.read_text(encoding="utf-8"))
+    [moving] = [reference["farthest_apart"] for reference in told["references"] if reference["farthest_apart"]]
+    assert moving["part_of_range"] < 1e-10
+    assert told["results"][moves]["range"] > 1.0 and told["results"][result]["range"] > 1.0
+    finest = [row for row in told["settings"] if row["setting"] == {"step": "2 ms"}]
+    assert len(finest) == 1 and finest[0]["errors"][result]["numerical"]["max"] == 0.0
+    assert finest[0]["errors"][moves]["numerical"]["max"] < 1e-10 * told["results"][moves]["range"]
+
+
 def test_what_nothing_keeps_to_is_said(tmp_path):
     path = scene(tmp_path, "auto", SWING, 'accuracy = { "A.x" = "1e-12 m" }')
     message = lemnis("fmu", path, "--output", tmp_path / "out", expect=1)
