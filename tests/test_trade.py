@@ -241,7 +241,7 @@ def test_a_steering_has_a_trade_too(tmp_path):
 def test_auto_of_a_steering(tmp_path):
     """A coarse demand is met by groups that stand as commanded, a finer one needs cylinders and PLC."""
     hydraulic = (ROOT / "models/scenes/boat_hoist_003_hydraulic.toml").read_text(encoding="utf-8")
-    shorter = hydraulic.replace('to    = "20 deg" ', 'to    = "-9 deg" ').replace('fidelity = "hydraulic"', 'fidelity = "auto"')
+    shorter = hydraulic.replace('to    = "20 deg" ', 'to    = "-9.8 deg" ').replace('fidelity = "hydraulic"', 'fidelity = "auto"')
     for allowed, level, tables in (("5 deg", "kinematic", set()), ("0.01 deg", "hydraulic", {"dynamics", "oil", "plc"})):
         path = tmp_path / f"{level}.toml"
         path.write_text(f'accuracy = {{ "theta[1]" = "{allowed}" }}\n{shorter}', encoding="utf-8")

@@ -7,6 +7,10 @@ use lemnis_models::book::LEVELS;
 use lemnis_models::scene::{DEFAULT, Scene};
 use lemnis_typeset::{Embedded, Format, ink};
 
+/// As in the program: books are typeset mostly by allocating.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 /// Margins of `templates/style.typ` in mm: left, top, right, bottom. Header and
 /// footer stand in the upper and the lower one.
 const MARGINS: [f64; 4] = [24.0, 26.0, 20.0, 22.0];
