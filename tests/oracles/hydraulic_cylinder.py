@@ -87,9 +87,11 @@ def root(p):
     return p / (p * p + LAMINAR**2) ** 0.25
 
 
-def rates(y, command):
+def rates(y, command, driven=None, areas=(A_A, A_B)):
+    """Of the crane, or of another mechanism as it is driven there, by a cylinder of other areas."""
     theta, w, p1, p2, pa, pb, x, v = y
-    inertia, slope, moment, length, arm = mechanism(theta)
+    bore, annulus = areas
+    inertia, slope, moment, length, arm = driven or mechanism(theta)
     if x >= 0:
         q1, q2 = VALVE * x * root(SUPPLY - p1), -VALVE * x * root(p2)
     else:
@@ -98,15 +100,15 @@ def rates(y, command):
     r1, r2 = max(0.0, p1 - OPENING) * SLOPE, max(0.0, p2 - OPENING) * SLOPE
     leak = LEAK * (pa - pb)
     speed = arm * w
-    va, vb = DEAD + A_A * (length - SHORT), DEAD + A_B * (LONG - length)
-    force = A_A * pa - A_B * pb
+    va, vb = DEAD + bore * (length - SHORT), DEAD + annulus * (LONG - length)
+    force = bore * pa - annulus * pb
     return [
         w,
         (force * arm - VISCOUS * w - moment - slope * w * w / 2) / inertia,
         BETA / PORT * (q1 - l1 - r1),
         BETA / PORT * (q2 - l2 - r2),
-        BETA / va * (l1 - leak - A_A * speed),
-        BETA / vb * (l2 + leak + A_B * speed),
+        BETA / va * (l1 - leak - bore * speed),
+        BETA / vb * (l2 + leak + annulus * speed),
         v,
         W_N**2 * (command - x) - 2 * ZETA * W_N * v,
     ]

@@ -26,7 +26,10 @@ either!(DriveMount { Anchors, Sector });
 
 impl<C> DriveMount<C> {
     /// Of all but a sector.
-    pub(super) fn anchors(&self) -> Found<&Anchors<C>> {
+    ///
+    /// # Errors
+    /// Those of a sector.
+    pub fn anchors(&self) -> Found<&Anchors<C>> {
         match self {
             DriveMount::Anchors(anchors) => Ok(anchors),
             DriveMount::Sector(_) => Err(absent()),

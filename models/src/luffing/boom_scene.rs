@@ -26,6 +26,13 @@ pub const MOVING_FIDELITY: Key = Key::choice(
     "How deep it is modelled: \"static\" (the angle is an input), \"table\" (the same, interpolated over the working range), \"rigid\" (it moves under a moment), \"swing\" (and the load swings on its rope), \"auto\" (the cheapest that keeps to `accuracy`).",
 );
 
+/// The same of one that a cylinder may move too.
+pub const OILED_FIDELITY: Key = Key::choice(
+    "fidelity",
+    &["static", "table", "rigid", "swing", "hydraulic", "auto"],
+    "How deep it is modelled: \"static\" (the angle is an input), \"table\" (the same, interpolated over the working range), \"rigid\" (it moves under a moment), \"swing\" (and the load swings on its rope), \"hydraulic\" (a cylinder with oil and valve moves it), \"auto\" (the cheapest that keeps to `accuracy`).",
+);
+
 pub const INTERPOLATION: Key = Key::part("table", TABLE, "Interpolation, with fidelity \"table\".");
 
 /// Keys of the working range, with the symbols of its ends and of the boom's angular velocity.

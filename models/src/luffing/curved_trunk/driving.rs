@@ -1,5 +1,6 @@
 //! The boom as the drive sees it, and the moment that it needs.
 
+use crate::balance::symbols::PHI;
 use crate::component::stages::Found;
 use crate::drive::crank::{self, CrankRod};
 use crate::drive::line::{Drive, Reaction};
@@ -11,12 +12,24 @@ use crate::luffing::curved_trunk::pins::TrunkPins;
 use crate::luffing::curved_trunk::position::TrunkPosition;
 use crate::luffing::curved_trunk::tail::{Trunk, TrunkChoice};
 use crate::parts::four_bar::FourBar;
+use crate::parts::plane::Point;
 
 pub fn bar<C: Calc>(position: &TrunkPosition<C>, trunk: &Trunk<C>, phi: &One<C>) -> DrivenBar<C> {
     DrivenBar {
         angle: *phi,
         along: position.b,
         length: trunk.b,
+        foot: None,
+    }
+}
+
+/// The same by the boom's length to B (m) and its angle (rad) alone.
+pub fn boom<C: Calc>(b: C, phi: C) -> DrivenBar<C> {
+    let (sin, cos) = phi.sin_cos();
+    DrivenBar {
+        angle: One(&PHI, phi),
+        along: Point::new(b * cos, b * sin),
+        length: b,
         foot: None,
     }
 }

@@ -130,7 +130,8 @@ impl<C: Calc> TrunkForces<C> {
         let asked = asked - on_boom.moment;
         let asked = acting.balance.map_or(asked, |balance| asked - balance.moment);
         let m_d = at.shares.drive.def(&s::M_D);
-        let f_d = drive.map(|drive| drive.force(m_d, &s::F_D));
+        let push = at.shares.push;
+        let f_d = drive.map(|drive| push.unwrap_or_else(|| drive.force(m_d, &s::F_D)));
         let foot = acting
             .balance
             .map_or(head - f_b, |balance| head - f_b - balance.on_boom)

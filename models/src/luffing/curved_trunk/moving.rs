@@ -1,11 +1,14 @@
 //! Boom and trunk in motion: what they are to the equations of motion, in closed form over the point of contact.
 
+use crate::drive::line::Drive;
+use crate::drive::mount::{Anchors, DriveMount};
 use crate::kernel::calc::{Calc, Over};
 use crate::kernel::group::quantities;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::luffing::curved_trunk::balancing::UnderTrunk;
 use crate::luffing::curved_trunk::centres::TrunkCentres;
 use crate::luffing::curved_trunk::contact::Contact;
+use crate::luffing::curved_trunk::driving;
 use crate::luffing::curved_trunk::leading::{bent_head, moves};
 use crate::luffing::curved_trunk::position::TrunkPosition;
 use crate::luffing::curved_trunk::statics::TrunkWeights;
@@ -49,6 +52,8 @@ pub struct TrunkParts<C> {
     pub inertias: TrunkInertias<C>,
     pub choice: TrunkChoice,
     pub reeved: Option<Reeved<C>>,
+    /// Of a drive along a line.
+    anchors: Option<Anchors<C>>,
 }
 
 impl<C: Calc> TrunkParts<C> {
@@ -58,6 +63,7 @@ impl<C: Calc> TrunkParts<C> {
         inertias: &TrunkInertias<C>,
         choice: &TrunkChoice,
         reeved: Option<&Reeved<C>>,
+        mount: &Option<DriveMount<C>>,
     ) -> TrunkParts<C> {
         TrunkParts {
             tail: *tail,
@@ -65,6 +71,7 @@ impl<C: Calc> TrunkParts<C> {
             inertias: *inertias,
             choice: choice.clone(),
             reeved: reeved.copied(),
+            anchors: mount.as_ref().and_then(|mount| mount.anchors().ok().copied()),
         }
     }
 }
@@ -79,6 +86,7 @@ pub struct TrunkBodies<P> {
     /// A led hoist rope, and the mass of a load on it that does not swing, in kg.
     pub reeved: Option<Reeved<P>>,
     load: Option<P>,
+    anchors: Option<Anchors<P>>,
 }
 
 /// A boom with a curved trunk, as its equations of motion see it.
@@ -129,7 +137,14 @@ impl SingleBoom for Trunked {
             bodies: [boom, trunk],
             reeved: own.reeved,
             load: fixed.filter(|_| own.reeved.is_some()),
+            anchors: own.anchors,
         }
+    }
+
+    fn line<P: Calc, C: Over<P>>(of: &TrunkBodies<P>, phi: C) -> Option<[C; 2]> {
+        let anchors = of.anchors?.map(&mut |_, x| C::of(x));
+        let drive = Drive::new(&driving::boom(C::of(of.tail.trunk.b), phi), &anchors);
+        Some([drive.l_d, drive.h_d])
     }
 
     fn load<P: Over<P>>(of: &TrunkBodies<P>, phi: P) -> Option<(P, [Point<P>; 3])> {
@@ -183,7 +198,9 @@ impl SingleBoom for Trunked {
             [Point::new(cos, sin), Point::new(-sin, cos)],
             [position.along, plane::turned(position.along, zero, travel.i_2)],
         ];
+        let line = asked.drive.then(|| Trunked::line(of, phi)).flatten();
         let moves = moves
+            .pushed(line)
             .hanging(load)
             .turning((gravity, asked), of.bodies.each_ref(), bars.map(Some));
         Some(Reduced::of(of.bodies.each_ref(), OF_BODY.each_ref(), gravity, moves))

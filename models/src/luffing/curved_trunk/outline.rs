@@ -5,29 +5,18 @@ use crate::component::outline::Explained::Stage;
 use crate::component::outline::{Greatest, Limit, Most, Outline, Purpose, chapters, joined};
 use crate::drive::outline as o;
 use crate::drive::symbols as d;
-use crate::kernel::symbol::listed;
 use crate::luffing::curved_trunk::symbols as s;
 use crate::luffing::led::outline::{LED, LEVEL as LED_LEVEL};
 use crate::luffing::led::symbols as w;
-use crate::luffing::moving::control::SETTINGS;
+use crate::luffing::moving::outline::MOVED;
 use crate::luffing::moving::symbols as m;
 use crate::luffing::resistances::outline::{EXTREMES, LIMITS, SUMMARY, USES};
-use crate::parts::turntable;
 
 /// What given quantities of its own are for that no formula has.
-const OWN_USES: [Purpose; 8] = [
-    ("tail_points", &[&s::X_T, &s::Y_T]),
-    ("annulus", &[&d::D_R]),
-    ("start", &[&m::L_R, &m::PHI_R, &turntable::CHI_R]),
-    ("friction", listed!(turntable: C_SL, M_F_SL)),
-    ("stops", listed!(turntable: PSI_MIN, PSI_MAX)),
-    ("hoist", &[&m::V_H, &m::A_H]),
-    ("control", SETTINGS),
-    ("drum_friction", &[&m::M_F_H]),
-];
+const OWN_USES: [Purpose; 1] = [("tail_points", &[&s::X_T, &s::Y_T])];
 
 pub const OUTLINE: Outline = Outline {
-    inputs: chapters!(geometry "", rope, sheaves "rope.sheave", tail, tail_points "tail.points", weights, drive, balance, load "Q", motion, moving "dynamics", luffing_control "control", hoisting, hoisting_control "hoisting.control", air, ground, slewing, slope "slewing.slope", slewing_control "slewing.control",
+    inputs: chapters!(geometry "", rope, sheaves "rope.sheave", tail, tail_points "tail.points", weights, drive, balance, load "Q", motion, moving "dynamics", luffing_control "control", hoisting, hoisting_control "hoisting.control", air, ground, slewing, slope "slewing.slope", slewing_control "slewing.control", oil "hydraulics",
         cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_start "cases.start", case_curve "cases.start.curve", case_brake "cases.brake", case_second_brake "cases.second_brake",
         case_buckling "cases.buckling", case_teeth "cases.teeth", case_nut "cases.nut", case_pin_sizes "cases.pin_size", limits),
     constants: &[
@@ -148,7 +137,7 @@ pub const OUTLINE: Outline = Outline {
         ],
         LIMITS,
     ),
-    uses: &joined::<Purpose, 8, 3, 11>(OWN_USES, USES),
+    uses: &joined::<_, 1, 16, 17>(OWN_USES, joined::<_, 13, 3, 16>(MOVED, USES)),
     forces: &[
         &s::N_T,
         &s::Q_T,

@@ -23,7 +23,7 @@ use crate::kernel::schema::{Key, Kind, SOURCE, Values};
 use crate::kernel::sign::Sign;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::luffing::at_rest::at_rest;
-use crate::luffing::boom_scene::{INTERPOLATION, MOVING_FIDELITY, balance_work, begun, motion, vanishing};
+use crate::luffing::boom_scene::{INTERPOLATION, OILED_FIDELITY, balance_work, begun, motion, vanishing};
 use crate::luffing::counterweight::chapter;
 use crate::luffing::curved_trunk::drawing::drawing;
 use crate::luffing::curved_trunk::leading::TRUNK;
@@ -41,8 +41,9 @@ use crate::luffing::moving;
 use crate::luffing::moving::control::luffing::CONTROL;
 use crate::luffing::moving::hoisting::HOISTING_KEYS;
 use crate::luffing::moving::levels::{self, boom_levels};
+use crate::luffing::moving::oil_scene::HYDRAULICS;
+use crate::luffing::moving::outline::FOLLOWED;
 use crate::luffing::moving::scene::{Inert, Moving, SLEWING, brisk, dynamics, outlasts, turns};
-use crate::luffing::moving::symbols as m;
 use crate::luffing::moving::told::motion::moved;
 use crate::luffing::resistances::scene::{CASES, Cases, left};
 use crate::luffing::resistances::{self, checks, told};
@@ -72,7 +73,7 @@ pub const KEYS: &[Key] = &[
     Key::quantity(&s::X_8, Sign::Any),
     Key::weight(&s::Q).optional(),
     ROPE,
-    MOVING_FIDELITY,
+    OILED_FIDELITY,
     Key {
         required: true,
         ..Key::kinds(
@@ -95,6 +96,7 @@ pub const KEYS: &[Key] = &[
     GROUND,
     Key::part("hoisting", HOISTING_KEYS, "Rope and hoist of a load that swings."),
     SLEWING,
+    HYDRAULICS,
     INTERPOLATION,
     CASES,
     Key::part("limits", LIMITS, "Limits that the book checks."),
@@ -140,7 +142,7 @@ const LIMITS: &[Key] = &Limit::keys::<30>(OUTLINE.limits);
 pub struct CurvedTrunk {
     /// At the start of the working range.
     pub(super) given: Given<f64>,
-    driving: Driving,
+    pub(super) driving: Driving,
     led: LedRopeScene,
     /// At a level that moves by itself.
     pub(super) moving: Option<Moving>,
@@ -157,7 +159,7 @@ impl Described for CurvedTrunk {
     const ID: &'static str = "curved_trunk";
     const TABLE: &'static str = "luffing";
     const OUTLINE: &'static Outline = &OUTLINE;
-    const FOLLOWED: &'static [&'static Symbol] = listed!(m: S_R, H_G, N_G, M_A, M_SL, M_WS, M_GAMMA, M_M_H);
+    const FOLLOWED: &'static [&'static Symbol] = FOLLOWED;
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "curved_trunk_symbol",
         own: &[s::ALL],
@@ -203,7 +205,7 @@ impl Described for CurvedTrunk {
         }
         let cases = Cases::read(v, &resisting::PARTS, balance.as_ref(), gravity, found);
         let led = LedRopeScene::read(v, resisting::PARTS.bodies, moving.as_ref(), found);
-        let given = at_rest! { (cases, driving) without [hoist_falls];
+        let given = at_rest! { (cases, driving) without [hoist_falls, oil, oil_parts];
             phi: One(&b::PHI, range.from),
             omega: One(&s::OMEGA, range.speed),
             load: v.of(&s::Q).map(|q| One(&s::Q, q)),
@@ -325,16 +327,15 @@ impl Described for CurvedTrunk {
             let rope = this.led.falls.map_or("trunk_rope", |_| "led_rope");
             return [level, rope].into_iter().chain(forces).collect();
         };
-        let level = moving.rope.map_or("level_rigid", |_| "level_swing");
         let led = this.led.assumed(moving);
         let (load, rope) = led.map_or(("trunk_load", vec!["trunk_rope"]), |rope| ("rope_load", rope));
         let balance = this.given.balance.map(|_| "counterweight");
-        [level, "trunk_masses", "trunk_taut"]
+        [levels::assumed(moving), "trunk_masses", "trunk_taut"]
             .into_iter()
             .chain(balance)
             .chain(moving.taken(load))
             .chain(rope)
-            .chain(["sticking", "stops", "forces_in_motion", "solver_runge_kutta"])
+            .chain(levels::solved(moving))
             .collect()
     }
 

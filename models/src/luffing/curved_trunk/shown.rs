@@ -3,6 +3,7 @@
 use crate::balance::symbols as b;
 use crate::component::description::Description;
 use crate::component::moving::MovingComponent;
+use crate::drive::mount::Bore;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::luffing::curved_trunk::scene::CurvedTrunk;
 use crate::luffing::curved_trunk::stages::{CurvedTrunkBoom, Given};
@@ -56,6 +57,10 @@ impl Shown for CurvedTrunk {
 
     fn moves(this: &Description<CurvedTrunk>) -> Option<(Given<f64>, &Moving)> {
         Some((this.given.clone(), this.moving.as_ref()?))
+    }
+
+    fn bore(this: &Description<CurvedTrunk>) -> Option<Bore<f64>> {
+        this.driving.cylinder
     }
 }
 

@@ -43,7 +43,8 @@ use crate::luffing::moving::balance_in_motion::BalanceInMotion;
 use crate::luffing::moving::built::HoistParts;
 use crate::luffing::moving::control::acting;
 use crate::luffing::moving::fragments::{
-    boom_rates, coordinate, exposed, geared, plant, pulled, regulated, remembered, single_boom, surrounded, told,
+    boom_rates, by_oil, coordinate, exposed, geared, oil_flows, oiled, plant, pulled, regulated, remembered,
+    single_boom, surrounded, told,
 };
 use crate::luffing::moving::given::Fitted;
 use crate::luffing::moving::level::{CraneAt, Level};
@@ -66,7 +67,7 @@ mod s {
     pub use crate::drive::symbols::{F_D, L_D, Q_D, S_LM, S_LM_IN, S_LM_OUT, T_CR, V_D};
     pub use crate::luffing::curved_trunk::symbols::*;
     pub use crate::luffing::led::symbols::{F_R1X, F_R1Y, F_R2X, F_R2Y, M_R1, M_R2, S_H, V_Q};
-    pub use crate::luffing::moving::symbols::{F_AIR, H_G, M_R, M_R_H, N_G, P_AIR, S_R, W_BLOW};
+    pub use crate::luffing::moving::symbols::{F_AIR, F_C, H_G, M_R, M_R_H, N_G, P_AIR, S_R, W_BLOW};
     pub use crate::luffing::resistances::symbols::F_R;
     pub use crate::luffing::strength::symbols::{P_C, U_K};
 }
@@ -77,6 +78,7 @@ composed! {
         ..coordinate(phi, omega),
         Parameter inertias: Option<TrunkInertias<C>>,
         ..plant(hoist_falls),
+        ..by_oil(),
         ..remembered(),
         Load load: Option<One<C>>,
         Parameter trunk: Trunk<C>,
@@ -127,15 +129,17 @@ composed! {
         ..resisted(phi, drive, position, drive, residual[?], pulled[?]);
         ..strong();
         ..sheared();
-        trunked: TrunkParts<C> = TrunkParts::new(tail, weights[!], inertias[!], choice, reeved[?]) => _;
+        trunked: TrunkParts<C> = TrunkParts::new(tail, weights[!], inertias[!], choice, reeved[?], mount) => _;
         hoist: HoistParts<C> = hoist(ramp, motor, give, hoist_falls, reeved[?]) => _;
         ..single_boom(Trunked, trunked);
         ..geared(way);
+        ..oiled();
         ..exposed(OfTrunk);
-        built[constants]: Vec<Level<C>> = single::driven(parts, boom, geared, exposed) => _;
+        built[constants]: Vec<Level<C>> = single::driven(parts, boom, geared, oiled[?], exposed) => _;
         ..told(phi, omega);
         at: CraneAt<C> = acting::at(phi, omega, states[!], wound, past[!], commands, brake, second, fitted, control, regulating, regime) => _;
         ..boom_rates(phi, Trunked);
+        pushing: C = stages::cylinder(built, told, at, phi) => F_C;
         ..pulled(phi);
         acting: Acting<C> = single::acting(boom, built, told, at, phi);
         countered: BalanceInMotion<C> = single::countered(acting, balance[!]);
@@ -144,11 +148,12 @@ composed! {
         hauling: Hauling<C> = hauling(gear[!], forces);
         ..regulated(phi, omega);
         ..surrounded(phi);
+        ..oil_flows();
         events: CraneEvents<C> = stages::events(built, told, at, phi, fitted);
     }
 }
 
-luffs!(CurvedTrunkBoom by phi, omega with hoist_falls holds taut);
+luffs!(CurvedTrunkBoom by phi, omega with hoist_falls, oil, oil_parts holds taut);
 
 taut_rope!(pulls by phi);
 

@@ -14,7 +14,7 @@ use crate::luffing::double_link::symbols as s;
 use crate::luffing::led::scene::ROPE;
 use crate::luffing::moving::control::luffing::CONTROL;
 use crate::luffing::moving::hoisting::HOISTING_KEYS;
-use crate::luffing::moving::oil_scene::OIL_KEYS;
+use crate::luffing::moving::oil_scene::HYDRAULICS;
 use crate::luffing::moving::scene::SLEWING;
 use crate::luffing::resistances::scene::CASES;
 use crate::parts::air::AIR_OR_WIND;
@@ -64,7 +64,7 @@ pub const KEYS: &[Key] = &joined::<_, 13, 20, 33>(LINKS, [
     HOISTING,
     AIR_OR_WIND,
     GROUND,
-    Key::part("hydraulics", OIL_KEYS, "Oil, valve and lines of the luffing cylinder in motion."),
+    HYDRAULICS,
     Key::part("table", TABLE, "Interpolation of the level \"table\"."),
     SLEWING,
     CASES,

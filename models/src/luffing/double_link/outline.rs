@@ -4,7 +4,7 @@ use crate::balance;
 use crate::balance::symbols as b;
 use crate::component::description::Vocabulary;
 use crate::component::outline::Explained::{Rows, Stage};
-use crate::component::outline::{Greatest, Limit, Most, Outline, Purpose, chapters, joined};
+use crate::component::outline::{Greatest, Limit, Most, Outline, chapters, joined};
 use crate::drive;
 use crate::drive::outline as o;
 use crate::drive::symbols as d;
@@ -15,49 +15,15 @@ use crate::luffing::double_link::moving::symbols as m;
 use crate::luffing::double_link::symbols as s;
 use crate::luffing::led::outline::{LED, LEVEL as LED_LEVEL};
 use crate::luffing::led::symbols as w;
-use crate::luffing::moving::control::{self, SETTINGS};
+use crate::luffing::moving::control;
+use crate::luffing::moving::outline::MOVED;
 use crate::luffing::resistances::outline::{EXTREMES, LIMITS, SUMMARY, USES};
 use crate::luffing::resistances::symbols::{M_R_SUM, P_I};
 use crate::luffing::strength::outline::WorkedOutline;
 use crate::luffing::{resistances, strength};
-use crate::parts::hydraulics::symbols as h;
 use crate::parts::{
     air, ground, hanging, hydraulics, motor, shaping, side_wind, slope, starts, teeth, turntable, turntable_control,
 };
-
-/// What given quantities of its own are for that no formula has.
-const OWN_USES: [Purpose; 13] = [
-    ("annulus", &[&d::D_R]),
-    ("start", &[&m::L_R, &m::PHI_R, &turntable::CHI_R]),
-    ("hoist", &[&m::V_H, &m::A_H]),
-    ("relief", listed!(m: P_R, K_R)),
-    ("anti_cavitation", listed!(m: P_AC, K_AC)),
-    ("load_holding", listed!(m: P_LH, I_LH, DP_LH, X_T)),
-    ("pump_limits", listed!(m: P_P, Q_PMAX, P_PMAX)),
-    ("tank", &[&m::P_TANK]),
-    ("friction", listed!(turntable: C_SL, M_F_SL)),
-    ("stops", listed!(turntable: PSI_MIN, PSI_MAX)),
-    ("control", SETTINGS),
-    ("drum_friction", &[&m::M_F_H]),
-    ("shaft_brakes", &[&m::U_BR]),
-];
-
-/// Of the oil, of the rope, of a load put down, of controlled drives and of the wind on what slews, over a cycle of commands.
-pub const FOLLOWED: &[&Symbol] = &[
-    &h::Q_ACA,
-    &h::Q_ACB,
-    &h::Y_LHA,
-    &h::Y_LHB,
-    &h::P_S,
-    &m::S_R,
-    &m::H_G,
-    &m::N_G,
-    &m::M_A,
-    &m::M_SL,
-    &m::M_WS,
-    &m::M_GAMMA,
-    &m::M_M_H,
-];
 
 pub const OUTLINE: Outline = Outline {
     inputs: chapters! {
@@ -168,7 +134,7 @@ pub const OUTLINE: Outline = Outline {
         ],
         LIMITS,
     ),
-    uses: &joined::<Purpose, 13, 3, 16>(OWN_USES, USES),
+    uses: &joined::<_, 13, 3, 16>(MOVED, USES),
     forces: &[
         &s::F_O1X,
         &s::F_O1Y,

@@ -29,8 +29,7 @@ use crate::luffing::double_link::drawing::drawing;
 use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::keys::KEYS;
 use crate::luffing::double_link::leading::{JIB, hauled, rise};
-use crate::luffing::double_link::moving;
-use crate::luffing::double_link::outline::{FOLLOWED, OUTLINE, VOCABULARY};
+use crate::luffing::double_link::outline::{OUTLINE, VOCABULARY};
 use crate::luffing::double_link::parameters::{Choice, Driven, Jib};
 use crate::luffing::double_link::pin_forces::PinForces;
 use crate::luffing::double_link::position::Position;
@@ -43,6 +42,7 @@ use crate::luffing::double_link::system::ByCentres;
 use crate::luffing::double_link::velocity::Velocity;
 use crate::luffing::moving::follows::follows;
 use crate::luffing::moving::levels;
+use crate::luffing::moving::outline::FOLLOWED;
 use crate::luffing::moving::told::motion::moved;
 use crate::luffing::moving::told::shown::running;
 use crate::luffing::resistances;
@@ -129,34 +129,12 @@ impl Described for LuffingScene {
     }
 
     fn levels(&self) -> Vec<&'static str> {
-        let mut levels = vec!["table", "static"];
-        if let Some(moving) = &self.moving {
-            levels.push("rigid");
-            levels.extend(moving.rope.map(|_| "swing"));
-            levels.extend(moving.oil.map(|_| "hydraulic"));
-        }
-        levels
+        levels::levels(self.moving.as_deref())
     }
 
     fn set_level(&mut self, level: &str) {
-        match level {
-            "rigid" => {
-                if let Some(moving) = &mut self.moving {
-                    moving.leave_rope();
-                    moving.oil = None;
-                }
-            }
-            "swing" => {
-                if let Some(moving) = &mut self.moving {
-                    moving.oil = None;
-                }
-            }
-            "hydraulic" => {
-                if let Some(moving) = &mut self.moving {
-                    moving.controllers = moving.controllers.and_then(|all| all.without(0));
-                }
-            }
-            _ => self.moving = None,
+        if !levels::set_level(self.moving.as_deref_mut(), level) {
+            self.moving = None;
         }
     }
 
@@ -175,17 +153,7 @@ impl Described for LuffingScene {
     }
 
     fn solver(&self) -> Option<Solver> {
-        self.moving.as_ref().map(|moving| Solver {
-            step: ("dynamics", &moving::symbols::STEP),
-            tolerance: ("hydraulics", &moving::symbols::TOL),
-            longest: moving.constants.step,
-            explicit: moving.oil.is_none(),
-            cost: match (&moving.oil, &moving.rope) {
-                (Some(_), _) => [0.22e-6, 1.0e-6],
-                (None, Some(_)) => [0.20e-6, 0.0],
-                (None, None) => [0.17e-6, 0.0],
-            },
-        })
+        levels::solver(self.moving.as_deref(), [0.17e-6, 0.20e-6])
     }
 
     fn moving(this: &Luffing) -> Option<Result<MovingComponent, Fault>> {
@@ -293,14 +261,8 @@ impl Described for LuffingScene {
         };
         let led = this.led.assumed(moving);
         let (load, led) = led.map_or(("fixed_load", Vec::new()), |led| ("rope_load", led));
-        let (oil, rope) = (moving.oil.is_some(), moving.rope.is_some());
-        let parts = moving.oil_parts;
         [
-            Some(match (oil, rope) {
-                (true, _) => "level_hydraulic",
-                (false, true) => "level_swing",
-                (false, false) => "level_rigid",
-            }),
+            Some(levels::assumed(moving)),
             foot,
             Some("bodies"),
             given(this.parameters.balance.is_some(), "counterweight"),
@@ -309,24 +271,7 @@ impl Described for LuffingScene {
         .flatten()
         .chain(moving.taken(load))
         .chain(led)
-        .chain(
-            [
-                given(oil, "oil"),
-                given(
-                    parts.is_some_and(|parts| parts.anti_cavitation.is_some()),
-                    "anti_cavitation",
-                ),
-                given(parts.is_some_and(|parts| parts.load_holding.is_some()), "load_holding"),
-                given(parts.is_some_and(|parts| parts.pump.is_some()), "pump_limits"),
-                given(parts.is_some_and(|parts| parts.tank.is_some()), "tank"),
-                Some(if oil { "creep" } else { "sticking" }),
-                Some(if oil { "buffer" } else { "stops" }),
-                Some("forces_in_motion"),
-                Some(if oil { "solver_rodas" } else { "solver_runge_kutta" }),
-            ]
-            .into_iter()
-            .flatten(),
-        )
+        .chain(levels::solved(moving))
         .collect()
     }
 

@@ -50,14 +50,14 @@ use crate::luffing::led::stretch::LedBars;
 use crate::luffing::led::symbols as w;
 use crate::luffing::moving::control::acting;
 use crate::luffing::moving::fragments::{
-    coordinate, exposed, geared, plant, pulled, regulated, remembered, surrounded, told,
+    by_oil, coordinate, exposed, geared, oil_flows, oiled, plant, pulled, regulated, remembered, surrounded, told,
 };
-use crate::luffing::moving::given::{CylinderOil, Fitted};
+use crate::luffing::moving::given::Fitted;
 use crate::luffing::moving::level::{CraneAt, Level};
 use crate::luffing::moving::listed::{ALL_INDICATORS, Said, luffing_component, said};
 use crate::luffing::moving::luffs::luffs;
 use crate::luffing::moving::reduced::Renewed;
-use crate::luffing::moving::stages::{self, CraneEvents, CraneMoves, CraneOil, OilFlows};
+use crate::luffing::moving::stages::{self, CraneEvents, CraneMoves};
 use crate::luffing::resistances::fragments::{cases, chosen, resisted, sheared};
 use crate::luffing::resistances::outline::WHOLE;
 use crate::luffing::resistances::symbols::M_R_OWN;
@@ -65,7 +65,6 @@ use crate::luffing::resistances::told::resists;
 use crate::luffing::strength::fragments::{strong, strong_parts};
 use crate::luffing::with_balance::with_balance;
 use crate::parts::four_bar::FourBar;
-use crate::parts::hydraulics::parts::OilParts;
 use crate::parts::motion::{Motion, degrees};
 use crate::parts::plane::Point;
 use crate::parts::starts::way;
@@ -86,8 +85,7 @@ composed! {
         ..coordinate(theta, omega),
         Parameter inertias: Option<Inertias<C>>,
         ..plant(hoist_falls),
-        Parameter oil: Option<CylinderOil<C>>,
-        Parameter oil_parts: Option<OilParts<C>>,
+        ..by_oil(),
         ..remembered(),
         Load load: Option<One<C>>,
         Parameter lengths: Lengths<C>,
@@ -142,12 +140,13 @@ composed! {
         ..sheared();
         parameters: Parameters<C> = parameters(lengths, jib, weights, mount, cylinder, balance, choice) => _;
         parts[constants]: Vec<CraneParts<C>> = motion::parts(
-            parameters, reeved[?], load[!], inertias[!], constants[!], ramp, motor, hoist_falls, give, around, ground, slewed, oil, oil_parts, fitted, choice
+            parameters, reeved[?], load[!], inertias[!], constants[!], ramp, motor, hoist_falls, give, around, ground, slewed, fitted, choice
         ) => _;
         linkage[constants]: Vec<Renewed<HeavyLinkage<C>>> = motion::linkage(parts) => _;
         ..geared(way);
+        ..oiled();
         ..exposed(OfLink);
-        built[constants]: Vec<Level<C>> = motion::built(parts, linkage, geared, exposed) => _;
+        built[constants]: Vec<Level<C>> = motion::built(parts, linkage, geared, oiled[?], exposed) => _;
         ..told(theta, omega);
         at: CraneAt<C> = acting::at(theta, omega, states[!], wound, past[!], commands, brake, second, fitted, control, regulating, regime) => _;
         moves: CraneMoves<C> = stages::moves(built, told, at, theta) => _;
@@ -158,8 +157,7 @@ composed! {
         hauling: Hauling<C> = hauling(gear[!], forces);
         ..regulated(theta, omega);
         ..surrounded(theta);
-        cavitates: CraneOil = CraneOil::new(at, moves, oil[!]);
-        oil_flows: OilFlows<C> = OilFlows::new(built, told, at, oil_parts[!]);
+        ..oil_flows();
         events: CraneEvents<C> = stages::events(built, told, at, theta, fitted);
     }
 }

@@ -11,12 +11,24 @@ use crate::luffing::ellipsograph::position::{Bars, GuidedChoice, GuidedPosition}
 use crate::luffing::ellipsograph::symbols as s;
 use crate::luffing::ellipsograph::velocity::GuidedSpeeds;
 use crate::parts::four_bar::FourBar;
+use crate::parts::plane::Point;
 
 pub fn bar<C: Calc>(position: &GuidedPosition<C>, bars: &Bars<C>) -> DrivenBar<C> {
     DrivenBar {
         angle: One(&s::THETA_L, position.theta_l),
         along: position.c,
         length: bars.c,
+        foot: None,
+    }
+}
+
+/// The same by the link's length (m) and the boom's angle (rad) alone.
+pub fn link<C: Calc>(c: C, phi: C) -> DrivenBar<C> {
+    let (sin, cos) = phi.sin_cos();
+    DrivenBar {
+        angle: One(&s::THETA_L, -phi),
+        along: Point::new(c * cos, -(c * sin)),
+        length: c,
         foot: None,
     }
 }

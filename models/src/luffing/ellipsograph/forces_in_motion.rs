@@ -104,7 +104,8 @@ impl<C: Calc> GuidedForces<C> {
         let asked = -cross(position.c, f_c) - m_lo;
         let asked = acting.balance.map_or(asked, |balance| asked + balance.moment);
         let m_d = at.shares.drive.def(&s::M_D);
-        let f_d = drive.map(|drive| drive.force(-m_d, &s::F_D));
+        let push = at.shares.push;
+        let f_d = drive.map(|drive| push.unwrap_or_else(|| drive.force(-m_d, &s::F_D)));
         let frame = acting.balance.map_or(f_c - f_l, |balance| f_c - f_l - balance.on_boom);
         let push = drive.zip(f_d).and_then(|(drive, f_d)| drive.along(f_d));
         let frame = push.map_or(frame, |push| frame - push);

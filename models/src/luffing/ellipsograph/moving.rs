@@ -1,9 +1,12 @@
 //! Boom and link in motion: what they are to the equations of motion, in closed form.
 
+use crate::drive::line::Drive;
+use crate::drive::mount::{Anchors, DriveMount};
 use crate::kernel::calc::{Calc, Over};
 use crate::kernel::group::quantities;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::luffing::ellipsograph::balancing::OnLink;
+use crate::luffing::ellipsograph::driving;
 use crate::luffing::ellipsograph::position::{Bars, GuidedChoice};
 use crate::luffing::ellipsograph::statics::GuidedWeights;
 use crate::luffing::ellipsograph::symbols as s;
@@ -41,6 +44,8 @@ pub struct GuidedParts<C> {
     pub weights: GuidedWeights<C>,
     pub inertias: GuidedInertias<C>,
     pub choice: GuidedChoice,
+    /// Of a drive along a line.
+    anchors: Option<Anchors<C>>,
 }
 
 impl<C: Calc> GuidedParts<C> {
@@ -49,12 +54,14 @@ impl<C: Calc> GuidedParts<C> {
         weights: &GuidedWeights<C>,
         inertias: &GuidedInertias<C>,
         choice: &GuidedChoice,
+        mount: &Option<DriveMount<C>>,
     ) -> GuidedParts<C> {
         GuidedParts {
             bars: *bars,
             weights: *weights,
             inertias: *inertias,
             choice: *choice,
+            anchors: mount.as_ref().and_then(|mount| mount.anchors().ok().copied()),
         }
     }
 }
@@ -65,6 +72,7 @@ pub struct GuidedBodies<P> {
     bars: Bars<P>,
     /// Of boom, from its foot, and link, from its pivot.
     pub bodies: [Body<P>; 2],
+    anchors: Option<Anchors<P>>,
 }
 
 /// Centres of gravity of boom and link, in m from O1, and what they move by for one radian of the boom's angle.
@@ -131,7 +139,15 @@ impl SingleBoom for Guided {
         GuidedBodies {
             bars,
             bodies: [boom, link],
+            anchors: own.anchors,
         }
+    }
+
+    /// The link turns against the boom's angle, and so the arm is.
+    fn line<P: Calc, C: Over<P>>(of: &GuidedBodies<P>, phi: C) -> Option<[C; 2]> {
+        let anchors = of.anchors?.map(&mut |_, x| C::of(x));
+        let drive = Drive::new(&driving::link(C::of(of.bars.c), phi), &anchors);
+        Some([drive.l_d, -drive.h_d])
     }
 
     /// Foot and head are c + a and 2c from
@@ -172,7 +188,10 @@ impl SingleBoom for Guided {
             [Point::new(cos, sin), Point::new(-sin, cos)],
             [Point::new(cos, -sin), Point::new(-sin, -cos)],
         ];
-        let moves = moves.turning((gravity, asked), of.bodies.each_ref(), bars.map(Some));
+        let line = asked.drive.then(|| Guided::line(of, phi)).flatten();
+        let moves = moves
+            .pushed(line)
+            .turning((gravity, asked), of.bodies.each_ref(), bars.map(Some));
         let names = OF_BODY.each_ref();
         Some(Reduced::of(of.bodies.each_ref(), names, gravity, moves))
     }

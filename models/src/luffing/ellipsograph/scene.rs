@@ -22,7 +22,7 @@ use crate::kernel::schema::{Key, SOURCE, Values};
 use crate::kernel::sign::Sign;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::luffing::at_rest::at_rest;
-use crate::luffing::boom_scene::{INTERPOLATION, MOVING_FIDELITY, balance_work, begun, motion, vanishing};
+use crate::luffing::boom_scene::{INTERPOLATION, OILED_FIDELITY, balance_work, begun, motion, vanishing};
 use crate::luffing::counterweight::chapter;
 use crate::luffing::ellipsograph::driving;
 use crate::luffing::ellipsograph::moving::GuidedInertias;
@@ -36,8 +36,9 @@ use crate::luffing::moving;
 use crate::luffing::moving::control::luffing::CONTROL;
 use crate::luffing::moving::hoisting::HOISTING_KEYS;
 use crate::luffing::moving::levels::{self, boom_levels};
+use crate::luffing::moving::oil_scene::HYDRAULICS;
+use crate::luffing::moving::outline::FOLLOWED;
 use crate::luffing::moving::scene::{Inert, Moving, SLEWING, brisk, dynamics, outlasts, turns};
-use crate::luffing::moving::symbols as m;
 use crate::luffing::moving::told::motion::moved;
 use crate::luffing::resistances::scene::{CASES, Cases, left};
 use crate::luffing::resistances::{self, checks, told};
@@ -62,7 +63,7 @@ pub const KEYS: &[Key] = &[
     Key::quantity(&s::A, Sign::Positive),
     Key::quantity(&s::X_8, Sign::Any),
     Key::weight(&s::Q).optional(),
-    MOVING_FIDELITY,
+    OILED_FIDELITY,
     Key::table("motion", MOTION, "Working range of the boom."),
     Key::part("weights", WEIGHTS, "Own weights of boom and link, and where they act."),
     DRIVE,
@@ -77,6 +78,7 @@ pub const KEYS: &[Key] = &[
     GROUND,
     Key::part("hoisting", HOISTING_KEYS, "Rope and hoist of a load that swings."),
     SLEWING,
+    HYDRAULICS,
     INTERPOLATION,
     CASES,
     Key::part("limits", LIMITS, "Limits that the book checks."),
@@ -103,7 +105,7 @@ const LIMITS: &[Key] = &Limit::keys::<27>(OUTLINE.limits);
 pub struct Ellipsograph {
     /// At the start of the working range.
     pub(super) given: Given<f64>,
-    driving: Driving,
+    pub(super) driving: Driving,
     /// At a level that moves by itself.
     pub(super) moving: Option<Moving>,
     /// Published results of the balance.
@@ -119,7 +121,7 @@ impl Described for Ellipsograph {
     const ID: &'static str = "ellipsograph";
     const TABLE: &'static str = "luffing";
     const OUTLINE: &'static Outline = &OUTLINE;
-    const FOLLOWED: &'static [&'static Symbol] = listed!(m: S_R, H_G, N_G, M_A, M_SL, M_WS, M_GAMMA, M_M_H);
+    const FOLLOWED: &'static [&'static Symbol] = FOLLOWED;
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "ellipsograph_symbol",
         own: &[s::ALL],
@@ -159,7 +161,7 @@ impl Described for Ellipsograph {
             outlasts(v, moving, &range, [listed!(s: C, A, X_8), listed!(s: G_B, G_L)], found);
         }
         let cases = Cases::read(v, &resisting::PARTS, balance.as_ref(), gravity, found);
-        let given = at_rest! { (cases, driving) without [hoist_falls];
+        let given = at_rest! { (cases, driving) without [hoist_falls, oil, oil_parts];
             phi: One(&b::PHI, range.from),
             omega: One(&s::OMEGA, range.speed),
             load: v.of(&s::Q).map(|q| One(&s::Q, q)),
@@ -253,20 +255,14 @@ impl Described for Ellipsograph {
             let rest = forces("ellipsograph_forces");
             return [level, "ellipsograph_rope"].into_iter().chain(rest).collect();
         };
-        let level = moving.rope.map_or("level_rigid", |_| "level_swing");
         let balance = this.given.balance.map(|_| "counterweight");
         let load = moving.taken("ellipsograph_load");
-        [level, "ellipsograph_masses"]
+        [levels::assumed(moving), "ellipsograph_masses"]
             .into_iter()
             .chain(balance)
             .chain(load)
-            .chain([
-                "ellipsograph_rope",
-                "sticking",
-                "stops",
-                "forces_in_motion",
-                "solver_runge_kutta",
-            ])
+            .chain(["ellipsograph_rope"])
+            .chain(levels::solved(moving))
             .collect()
     }
 

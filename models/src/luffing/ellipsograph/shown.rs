@@ -3,6 +3,7 @@
 use crate::balance::symbols as b;
 use crate::component::description::Description;
 use crate::component::moving::MovingComponent;
+use crate::drive::mount::Bore;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::luffing::ellipsograph::scene::Ellipsograph;
 use crate::luffing::ellipsograph::stages::{EllipsographBoom, Given};
@@ -54,6 +55,10 @@ impl Shown for Ellipsograph {
 
     fn moves(this: &Description<Ellipsograph>) -> Option<(Given<f64>, &Moving)> {
         Some((this.given.clone(), this.moving.as_ref()?))
+    }
+
+    fn bore(this: &Description<Ellipsograph>) -> Option<Bore<f64>> {
+        this.driving.cylinder
     }
 }
 

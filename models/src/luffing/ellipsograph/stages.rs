@@ -34,7 +34,8 @@ use crate::luffing::moving::balance_in_motion::BalanceInMotion;
 use crate::luffing::moving::built::HoistParts;
 use crate::luffing::moving::control::acting;
 use crate::luffing::moving::fragments::{
-    boom_rates, coordinate, exposed, geared, plant, pulled, regulated, remembered, single_boom, surrounded, told,
+    boom_rates, by_oil, coordinate, exposed, geared, oil_flows, oiled, plant, pulled, regulated, remembered,
+    single_boom, surrounded, told,
 };
 use crate::luffing::moving::given::Fitted;
 use crate::luffing::moving::level::{CraneAt, Level};
@@ -56,7 +57,7 @@ mod s {
     pub use crate::balance::symbols::{F_KX, F_KY, F_MX, F_MY, N_1};
     pub use crate::drive::symbols::{F_D, L_D, Q_D, S_LM, S_LM_IN, S_LM_OUT, T_CR, V_D};
     pub use crate::luffing::ellipsograph::symbols::*;
-    pub use crate::luffing::moving::symbols::{F_AIR, H_G, M_R, M_R_H, N_G, P_AIR, S_R, W_BLOW};
+    pub use crate::luffing::moving::symbols::{F_AIR, F_C, H_G, M_R, M_R_H, N_G, P_AIR, S_R, W_BLOW};
     pub use crate::luffing::resistances::symbols::F_R;
     pub use crate::luffing::strength::symbols::{P_C, U_K};
 }
@@ -67,6 +68,7 @@ composed! {
         ..coordinate(phi, omega),
         Parameter inertias: Option<GuidedInertias<C>>,
         ..plant(hoist_falls),
+        ..by_oil(),
         ..remembered(),
         Load load: Option<One<C>>,
         Parameter bars: Bars<C>,
@@ -107,15 +109,17 @@ composed! {
         ..resisted(phi, drive, position, drive, residual[?]);
         ..strong();
         ..sheared();
-        guided: GuidedParts<C> = GuidedParts::new(bars, weights[!], inertias[!], choice) => _;
+        guided: GuidedParts<C> = GuidedParts::new(bars, weights[!], inertias[!], choice, mount) => _;
         hoist: HoistParts<C> = HoistParts::new(ramp, motor, give, hoist_falls) => _;
         ..single_boom(Guided, guided);
         ..geared(way);
+        ..oiled();
         ..exposed(OfGuided);
-        built[constants]: Vec<Level<C>> = single::driven(parts, boom, geared, exposed) => _;
+        built[constants]: Vec<Level<C>> = single::driven(parts, boom, geared, oiled[?], exposed) => _;
         ..told(phi, omega);
         at: CraneAt<C> = acting::at(phi, omega, states[!], wound, past[!], commands, brake, second, fitted, control, regulating, regime) => _;
         ..boom_rates(phi, Guided);
+        pushing: C = stages::cylinder(built, told, at, phi) => F_C;
         ..pulled(phi);
         acting: Acting<C> = single::acting(boom, built, told, at, phi);
         countered: BalanceInMotion<C> = single::countered(acting, balance[!]);
@@ -123,11 +127,12 @@ composed! {
         hauling: Hauling<C> = hauling(gear[!], forces);
         ..regulated(phi, omega);
         ..surrounded(phi);
+        ..oil_flows();
         events: CraneEvents<C> = stages::events(built, told, at, phi, fitted);
     }
 }
 
-luffs!(EllipsographBoom by phi, omega with hoist_falls holds pulls);
+luffs!(EllipsographBoom by phi, omega with hoist_falls, oil, oil_parts holds pulls);
 
 taut_rope!(pulls by phi);
 

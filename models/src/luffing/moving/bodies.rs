@@ -196,6 +196,15 @@ impl<C: Calc, const N: usize> Moves<C, N> {
         }
     }
 
+    /// With a drive of a length (m) and a lever arm (m), where one is asked for.
+    #[must_use]
+    pub fn pushed(self, drive: Option<[C; 2]>) -> Moves<C, N> {
+        Moves {
+            drive: drive.unwrap_or(self.drive),
+            ..self
+        }
+    }
+
     /// With a load that hangs below the head at any time.
     #[must_use]
     pub fn hanging(self, load: Option<(C, [Point<C>; 3])>) -> Moves<C, N> {

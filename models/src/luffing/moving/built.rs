@@ -3,12 +3,13 @@
 use std::sync::Arc;
 
 use crate::component::scalar::Scalar;
+use crate::drive::mount::Bore;
 use crate::kernel::calc::Calc;
 use crate::luffing::moving::bodies::{Pendulum, Turntable};
 use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
 use crate::luffing::moving::exposed::{Exposed, shared};
 use crate::luffing::moving::geared::Geared;
-use crate::luffing::moving::given::{Constants, Fitted, SlewedParts};
+use crate::luffing::moving::given::{Constants, CylinderOil, Fitted, SlewedParts};
 use crate::luffing::moving::hoisting::{HoistFalls, HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::hydraulic::{Crane, Hydraulic};
 use crate::luffing::moving::level::Level;
@@ -22,6 +23,8 @@ use crate::parts::air::{AirAround, AirDrag};
 use crate::parts::ground::GroundBelow;
 use crate::parts::hoist::{Elastic, Hoist, HoistCommand, Winch, WinchDrive};
 use crate::parts::hydraulics::cylinder::Cylinder;
+use crate::parts::hydraulics::parts::OilParts;
+use crate::parts::hydraulics::valve::Valve;
 use crate::parts::joint::{Friction, Joint, JointDrive};
 use crate::parts::motion::Motion;
 
@@ -102,24 +105,30 @@ pub struct LevelParts<P: Calc> {
     pub axis: P,
     pub constants: Constants<P>,
     pub slewed: Option<SlewedParts<P>>,
-    pub cylinder: Option<Cylinder<P>>,
     /// Around the load.
     pub around: Option<AirAround<P>>,
     pub ground: Option<GroundBelow<P>>,
     pub fitted: Fitted,
 }
 
-/// What a scene may give a mechanism in motion: a motor that turns with it, wind and slope that it meets.
+/// What a scene may give a mechanism in motion: a motor that turns with it or a cylinder that moves it, wind and slope that it
+/// meets.
 #[derive(Clone)]
-pub struct Outfit<P> {
+pub struct Outfit<P: Calc> {
     geared: Option<Arc<Geared<P>>>,
+    cylinder: Option<Cylinder<P>>,
     outdoors: Option<Arc<dyn Exposes<P>>>,
 }
 
 impl<C: Scalar> Outfit<C> {
-    pub fn new<K: Placing>(geared: &[Renewed<Geared<C>>], exposed: &[Renewed<Exposed<K, C>>]) -> Outfit<C> {
+    pub fn new<K: Placing>(
+        geared: &[Renewed<Geared<C>>],
+        cylinder: Option<&Cylinder<C>>,
+        exposed: &[Renewed<Exposed<K, C>>],
+    ) -> Outfit<C> {
         Outfit {
             geared: geared.first().map(|geared| geared.now().clone()),
+            cylinder: cylinder.copied(),
             outdoors: shared(exposed),
         }
     }
@@ -160,7 +169,7 @@ impl<P: Coordinate<P>> LevelParts<P> {
                 inertia: turning.j_sl,
             });
         }
-        let Some(cylinder) = self.cylinder else {
+        let Some(cylinder) = fittings.cylinder else {
             if let Some(geared) = fittings.geared {
                 dynamics = dynamics.by_motor(geared);
             }
@@ -184,6 +193,28 @@ impl<P: Coordinate<P>> LevelParts<P> {
         } else {
             Level::Fixed(hydraulic(crane, cylinder, buffer))
         }
+    }
+}
+
+/// The cylinder that moves a mechanism, its lines whole.
+pub fn cylinder<P: Calc>(oil: &CylinderOil<P>, bore: &Bore<P>, parts: &Option<OilParts<P>>) -> Cylinder<P> {
+    Cylinder {
+        areas: Cylinder::areas(bore.d_c, bore.d_r),
+        lengths: [oil.l_min, oil.l_max],
+        dead_volume: oil.v_0,
+        port_volume: oil.v_1,
+        line: Valve::rated(oil.q_n, oil.dp_l),
+        leakage: oil.k_l,
+        bulk_modulus: oil.beta_e,
+        relief: [oil.p_r, oil.k_r],
+        valve: Valve {
+            conductance: Valve::rated(oil.q_n, oil.dp_n),
+            overlap: P::constant(0.0),
+            frequency: oil.omega_v,
+            damping: oil.zeta_v,
+        },
+        parts: *parts,
+        torn: [P::constant(0.0); 2],
     }
 }
 

@@ -313,6 +313,12 @@ impl<P: Calc> Dynamics<P> {
         self
     }
 
+    /// Whether a cylinder is its drive.
+    #[must_use]
+    pub fn is_by_cylinder(&self) -> bool {
+        self.asked.drive
+    }
+
     /// With a motor that turns with it.
     #[must_use]
     pub fn by_motor(mut self, geared: Arc<Geared<P>>) -> Dynamics<P> {

@@ -30,6 +30,41 @@ macro_rules! plant {
 }
 pub(crate) use plant;
 
+/// Groups of the oil of a cylinder that moves it.
+macro_rules! by_oil {
+    (() $($to:tt)*) => {
+        $crate::component::fragments::composed! { @with {
+            Parameter oil: Option<$crate::luffing::moving::given::CylinderOil<C>>,
+            Parameter oil_parts: Option<$crate::parts::hydraulics::parts::OilParts<C>>,
+        } $($to)* }
+    };
+}
+pub(crate) use by_oil;
+
+/// The stage of that cylinder.
+macro_rules! oiled {
+    (() $($to:tt)*) => {
+        $crate::component::fragments::composed! { @with {
+            oiled: $crate::parts::hydraulics::cylinder::Cylinder<C> =
+                $crate::luffing::moving::built::cylinder(oil[!], cylinder[!], oil_parts) => _;
+        } $($to)* }
+    };
+}
+pub(crate) use oiled;
+
+/// Stages of what its oil does.
+macro_rules! oil_flows {
+    (() $($to:tt)*) => {
+        $crate::component::fragments::composed! { @with {
+            cavitates: $crate::luffing::moving::stages::CraneOil =
+                $crate::luffing::moving::stages::CraneOil::new(at, moves, oil[!]);
+            oil_flows: $crate::luffing::moving::stages::OilFlows<C> =
+                $crate::luffing::moving::stages::OilFlows::new(built, told, at, oil_parts[!]);
+        } $($to)* }
+    };
+}
+pub(crate) use oil_flows;
+
 /// Groups of its controllers and of what happened before.
 macro_rules! remembered {
     (() $($to:tt)*) => {

@@ -1,12 +1,15 @@
-//! What the descriptions of all single booms that may move have in common: their levels.
+//! What the descriptions of all mechanisms that may move have in common: their levels.
 
 use crate::component::mechanism::Solver;
 use crate::luffing::moving::scene::Moving;
 use crate::luffing::moving::symbols as s;
 use crate::parts::air::AROUND;
+use crate::parts::hydraulics::parts::OilParts;
 
-/// What the rates cost, in s, without a load that swings and with it.
-const COST: [[f64; 2]; 2] = [[0.1e-6, 0.0], [0.15e-6, 0.0]];
+/// What the rates of single booms cost, in s, without a load that swings and with it.
+pub const BOOM: [f64; 2] = [0.1e-6, 0.15e-6];
+/// With oil, and with these their Jacobian and its factors.
+const OIL: [f64; 2] = [0.22e-6, 1.0e-6];
 
 /// The levels to which a scene may be simplified, the quickest first.
 #[must_use]
@@ -15,18 +18,53 @@ pub fn levels(moving: Option<&Moving>) -> Vec<&'static str> {
     if let Some(moving) = moving {
         levels.push("rigid");
         levels.extend(moving.rope.map(|_| "swing"));
+        levels.extend(moving.oil.map(|_| "hydraulic"));
     }
     levels
 }
 
 /// Leaves out what a level has not; whether it still moves.
-pub fn set_level(moving: &mut Option<Moving>, level: &str) -> bool {
-    match (level, &mut *moving) {
-        ("swing", _) => {}
-        ("rigid", Some(moving)) => moving.leave_rope(),
-        _ => *moving = None,
+pub fn set_level(moving: Option<&mut Moving>, level: &str) -> bool {
+    let Some(moving) = moving else { return false };
+    match level {
+        "rigid" => {
+            moving.leave_rope();
+            moving.oil = None;
+        }
+        "swing" => moving.oil = None,
+        "hydraulic" => moving.controllers = moving.controllers.and_then(|all| all.without(0)),
+        _ => return false,
     }
-    moving.is_some()
+    true
+}
+
+/// How deep it is modelled, in words.
+#[must_use]
+pub fn assumed(moving: &Moving) -> &'static str {
+    match (moving.oil, moving.rope) {
+        (Some(_), _) => "level_hydraulic",
+        (None, Some(_)) => "level_swing",
+        (None, None) => "level_rigid",
+    }
+}
+
+/// What is taken for granted of its oil, its friction and stops, its forces and its solver, in words.
+pub fn solved(moving: &Moving) -> impl Iterator<Item = &'static str> + use<> {
+    let (oil, parts) = (moving.oil.is_some(), moving.oil_parts);
+    let given = |known: bool, id: &'static str| known.then_some(id);
+    let has = |part: fn(&OilParts) -> bool, id| given(parts.as_ref().is_some_and(part), id);
+    let all = [
+        given(oil, "oil"),
+        has(|parts| parts.anti_cavitation.is_some(), "anti_cavitation"),
+        has(|parts| parts.load_holding.is_some(), "load_holding"),
+        has(|parts| parts.pump.is_some(), "pump_limits"),
+        has(|parts| parts.tank.is_some(), "tank"),
+        Some(if oil { "creep" } else { "sticking" }),
+        Some(if oil { "buffer" } else { "stops" }),
+        Some("forces_in_motion"),
+        Some(if oil { "solver_rodas" } else { "solver_runge_kutta" }),
+    ];
+    all.into_iter().flatten()
 }
 
 /// Tables that a level does not use, with their keys where it uses others.
@@ -60,11 +98,19 @@ pub fn unused(level: &str, moving: Option<&Moving>) -> Vec<(&'static str, &'stat
     unused
 }
 
+/// Its solver, by what its rates cost (s) without a load that swings and with it.
 #[must_use]
-pub fn solver(moving: Option<&Moving>) -> Option<Solver> {
-    moving.map(|moving| {
-        let cost = COST[usize::from(moving.rope.is_some())];
-        Solver::explicit(&s::STEP, moving.constants.step, cost)
+pub fn solver(moving: Option<&Moving>, [rigid, swing]: [f64; 2]) -> Option<Solver> {
+    moving.map(|moving| Solver {
+        step: ("dynamics", &s::STEP),
+        tolerance: ("hydraulics", &s::TOL),
+        longest: moving.constants.step,
+        explicit: moving.oil.is_none(),
+        cost: match (&moving.oil, &moving.rope) {
+            (Some(_), _) => OIL,
+            (None, Some(_)) => [swing, 0.0],
+            (None, None) => [rigid, 0.0],
+        },
     })
 }
 
@@ -111,8 +157,8 @@ macro_rules! boom_levels {
         }
 
         fn set_level(&mut self, level: &str) {
-            if !$crate::luffing::moving::levels::set_level(&mut self.moving, level) {
-                self.given.$inertias = None;
+            if !$crate::luffing::moving::levels::set_level(self.moving.as_mut(), level) {
+                (self.moving, self.given.$inertias) = (None, None);
             }
         }
 
@@ -121,7 +167,7 @@ macro_rules! boom_levels {
         }
 
         fn solver(&self) -> Option<$crate::component::mechanism::Solver> {
-            $crate::luffing::moving::levels::solver(self.moving.as_ref())
+            $crate::luffing::moving::levels::solver(self.moving.as_ref(), $crate::luffing::moving::levels::BOOM)
         }
 
         fn moving(

@@ -18,7 +18,7 @@
 //! | `given`, `symbols`, `listed` | inputs, states and memory as groups; quantities; which of them a scene has |
 //! | `scene`, `hoisting`, `oil_scene`, `weather_scene`, `step`, `levels` | keys of motion, of rope and hoist, of oil, of wind and slope; the solver's step; what descriptions of single booms have in common |
 //! | `stages`, `luffs` | rates, event indicators, reactions as stages; a component that has them |
-//! | `told` | what the book tells of all that |
+//! | `outline`, `told` | what the book tells of all that |
 //! | `single` | a single boom in motion, from what a mechanism says of it |
 //! | `built`, `start`, `carried`, `follows` | the equations of a level; where the motion begins, how it is carried on; what depends on what |
 
@@ -52,6 +52,7 @@ pub mod listed;
 pub mod luffs;
 pub mod motion;
 pub mod oil_scene;
+pub mod outline;
 pub mod pendulum;
 mod powers;
 mod pulled;

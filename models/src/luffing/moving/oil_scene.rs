@@ -12,8 +12,15 @@ use crate::parts::air::AIR;
 use crate::parts::control::reading::TABLE;
 use crate::parts::hydraulics::valve::supersonic;
 
+/// Where scenes give the oil of a luffing cylinder.
+pub const HYDRAULICS: Key = Key::part(
+    "hydraulics",
+    OIL_KEYS,
+    "Oil, valve and lines of the luffing cylinder in motion.",
+);
+
 /// Keys of `[luffing.hydraulics]`.
-pub static OIL_KEYS: &[Key] = keys! { s:
+const OIL_KEYS: &[Key] = keys! { s:
     L_MIN > 0, L_MAX > 0, V_0 > 0, V_1 > 0, Q_N > 0, DP_N > 0, DP_L > 0, BETA_E > 0, P_R > 0, K_R >= 0, K_L >= 0,
     OMEGA_V > 0, ZETA_V >= 0, TOL [tolerance, optional], P_P >= 0 [in_steps], U_V [in_steps, optional],
     P_AC >= 0 [optional], K_AC > 0 [optional], P_LH > 0 [optional], I_LH >= 0 [optional], DP_LH > 0 [optional], X_T >= 0 [optional],

@@ -31,6 +31,7 @@ use crate::luffing::moving::weighed::{Balanceable, MovedBalance, Weighing, Weigh
 use crate::luffing::resistances::placed::Placing;
 use crate::parts::air::AirAround;
 use crate::parts::ground::GroundBelow;
+use crate::parts::hydraulics::cylinder::Cylinder;
 use crate::parts::motion::Motion;
 use crate::parts::plane::{self, Point};
 
@@ -67,6 +68,11 @@ pub trait SingleBoom: Copy + Send + Sync + 'static {
     /// A load that hangs straight down at any time: its mass (kg), where it is (m), what it moves by for one radian of the boom's
     /// angle, and how that changes (m); `None` where a body has it, or where a rope does on which it swings.
     fn load<P: Over<P>>(_: &Self::Bodies<P>, _: P) -> Option<(P, [Point<P>; 3])> {
+        None
+    }
+
+    /// Of a drive along a line: its length (m) and its lever arm for one radian of the boom's angle (m); `None` without one.
+    fn line<P: Calc, C: Over<P>>(_: &Self::Bodies<P>, _: C) -> Option<[C; 2]> {
         None
     }
 
@@ -169,7 +175,9 @@ impl<P: Coordinate<P>> Acting<P> {
         let (zero, phi) = (P::constant(0.0), at.y[0]);
         let axis = level.dynamics().turns().map(|table| table.axis);
         let reach = |x: P| axis.map_or(zero, |axis| x - axis);
-        let instant = level.instant(at, zero)?;
+        let by_cylinder = level.dynamics().is_by_cylinder();
+        let line = by_cylinder.then(|| B::line(&heavy.bodies, phi)).flatten();
+        let instant = level.instant(at, line.map_or(zero, |[_, arm]| arm))?;
         let balance = heavy.balance.as_ref().map(|balance| P::posed(balance, phi));
         let balance = balance.map_or(Some(None), |found| found.map(Some))?;
         let instant = match B::load(&heavy.bodies, phi).filter(|_| instant.pull.is_none()) {
@@ -309,7 +317,6 @@ pub fn parts<B: SingleBoom, C: Calc>(
             axis,
             constants: *constants,
             slewed: *slewed,
-            cylinder: None,
             around: *around,
             ground: *ground,
             fitted: *fitted,
@@ -336,18 +343,19 @@ pub fn built<B: SingleBoom, K: Placing, C: Scalar>(
     exposed: &[Renewed<Exposed<K, C>>],
     room: &mut Vec<Level<C>>,
 ) {
-    driven(parts, heavy, &[], exposed, room);
+    driven(parts, heavy, &[], None, exposed, room);
 }
 
-/// The same with a motor that turns with it, where there is one.
+/// The same with a motor that turns with it, or a cylinder that moves it, where there is one.
 pub fn driven<B: SingleBoom, K: Placing, C: Scalar>(
     parts: &[SingleParts<B, C>],
     heavy: &[Renewed<Heavy<B, C>>],
     geared: &[Renewed<Geared<C>>],
+    cylinder: Option<&Cylinder<C>>,
     exposed: &[Renewed<Exposed<K, C>>],
     room: &mut Vec<Level<C>>,
 ) {
-    let fittings = Outfit::new(geared, exposed);
+    let fittings = Outfit::new(geared, cylinder, exposed);
     room.clear();
     room.push((C::own::<SingleInMotion<B>>().level)(
         &parts[0],

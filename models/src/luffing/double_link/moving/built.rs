@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use num_dual::Dual64;
 
-use crate::drive::mount::Bore;
 use crate::kernel::calc::{Calc, Over};
 use crate::kernel::group::{One, quantities};
 use crate::kernel::variable::Fault;
@@ -18,14 +17,11 @@ use crate::luffing::led::reeved::Reeved;
 use crate::luffing::moving::bodies::Body;
 use crate::luffing::moving::built::{HoistParts, LevelParts, Outfit};
 use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
-use crate::luffing::moving::given::{Constants, CylinderOil, Fitted, SlewedParts};
+use crate::luffing::moving::given::{Constants, Fitted, SlewedParts};
 use crate::luffing::moving::hoisting::{HoistFalls, HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::level::Level;
 use crate::parts::air::AirAround;
 use crate::parts::ground::GroundBelow;
-use crate::parts::hydraulics::cylinder::Cylinder;
-use crate::parts::hydraulics::parts::OilParts;
-use crate::parts::hydraulics::valve::Valve;
 use crate::parts::motion::Motion;
 use crate::parts::plane::Point;
 
@@ -50,8 +46,6 @@ pub struct CraneParts<P: Calc> {
     pub around: Option<AirAround<P>>,
     pub ground: Option<GroundBelow<P>>,
     pub slewed: Option<SlewedParts<P>>,
-    pub oil: Option<CylinderOil<P>>,
-    pub oil_parts: Option<OilParts<P>>,
     pub fitted: Fitted,
 }
 
@@ -83,13 +77,11 @@ where
     pub fn level(&self, linkage: &Arc<HeavyLinkage<P>>, fittings: Outfit<P>) -> Level<P> {
         let Bodies { pendulum, gravity, .. } = linkage.bodies;
         let dynamics = Dynamics::new(linkage.clone(), pendulum, gravity);
-        let oil = self.oil.zip(self.parameters.cylinder);
         LevelParts {
             range: self.range,
             axis: -self.parameters.lengths.x_8,
             constants: self.constants,
             slewed: self.slewed,
-            cylinder: oil.map(|(oil, bore)| cylinder(&oil, &bore, self.oil_parts)),
             around: self.around,
             ground: self.ground,
             fitted: self.fitted,
@@ -169,26 +161,4 @@ pub fn slender<P: Calc>(
         let centre = Point::new(distance * cos, distance * sin);
         Body::slender(weight / gravity, inertia, centre, along)
     })
-}
-
-/// Its lines whole.
-fn cylinder<P: Calc>(oil: &CylinderOil<P>, bore: &Bore<P>, parts: Option<OilParts<P>>) -> Cylinder<P> {
-    Cylinder {
-        areas: Cylinder::areas(bore.d_c, bore.d_r),
-        lengths: [oil.l_min, oil.l_max],
-        dead_volume: oil.v_0,
-        port_volume: oil.v_1,
-        line: Valve::rated(oil.q_n, oil.dp_l),
-        leakage: oil.k_l,
-        bulk_modulus: oil.beta_e,
-        relief: [oil.p_r, oil.k_r],
-        valve: Valve {
-            conductance: Valve::rated(oil.q_n, oil.dp_n),
-            overlap: P::constant(0.0),
-            frequency: oil.omega_v,
-            damping: oil.zeta_v,
-        },
-        parts,
-        torn: [P::constant(0.0); 2],
-    }
 }

@@ -26,7 +26,7 @@ use crate::luffing::moving::built::Outfit;
 use crate::luffing::moving::dynamics::Coordinate;
 use crate::luffing::moving::exposed::Exposed;
 use crate::luffing::moving::geared::Geared;
-use crate::luffing::moving::given::{Constants, CylinderOil, Fitted, SlewedParts};
+use crate::luffing::moving::given::{Constants, Fitted, SlewedParts};
 use crate::luffing::moving::hoisting::{HoistFalls, HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::level::{CraneAt, Level};
 use crate::luffing::moving::listed::rates_after;
@@ -34,7 +34,7 @@ use crate::luffing::moving::reduced::Renewed;
 use crate::luffing::moving::stages::{CraneMoves, CraneRates, RATES as CRANE_RATES, open, present};
 use crate::parts::air::AirAround;
 use crate::parts::ground::GroundBelow;
-use crate::parts::hydraulics::parts::OilParts;
+use crate::parts::hydraulics::cylinder::Cylinder;
 
 type Levelling<P> = fn(&CraneParts<P>, &Arc<HeavyLinkage<P>>, Outfit<P>) -> Level<P>;
 
@@ -91,8 +91,6 @@ pub fn parts<C: Scalar>(
     around: &Option<AirAround<C>>,
     ground: &Option<GroundBelow<C>>,
     slewed: &Option<SlewedParts<C>>,
-    oil: &Option<CylinderOil<C>>,
-    oil_parts: &Option<OilParts<C>>,
     fitted: &Fitted,
     choice: &Choice,
     room: &mut Vec<CraneParts<C>>,
@@ -112,8 +110,6 @@ pub fn parts<C: Scalar>(
         around: *around,
         ground: *ground,
         slewed: *slewed,
-        oil: *oil,
-        oil_parts: *oil_parts,
         fitted: *fitted,
     });
 }
@@ -129,10 +125,11 @@ pub fn built<C: Scalar>(
     parts: &[CraneParts<C>],
     linkage: &[Renewed<HeavyLinkage<C>>],
     geared: &[Renewed<Geared<C>>],
+    cylinder: Option<&Cylinder<C>>,
     exposed: &[Renewed<Exposed<OfLink, C>>],
     room: &mut Vec<Level<C>>,
 ) {
-    let fittings = Outfit::new(geared, exposed);
+    let fittings = Outfit::new(geared, cylinder, exposed);
     room.clear();
     room.push((C::own::<LinkInMotion>().level)(&parts[0], linkage[0].now(), fittings));
 }
