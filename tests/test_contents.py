@@ -91,6 +91,8 @@ SAID = {
     "ellipsograph": ({"ellipsograph_rope"}, {"slewing_load"}),
     "ellipsograph_motion": ({"level_swing", "ellipsograph_masses", "counterweight", "slack", "hoist_ramp", "forces_in_motion"},
                             {"level_rigid", "ellipsograph_load", "ellipsograph_forces"}),
+    "ellipsograph_cylinder": ({"level_hydraulic", "ellipsograph_masses", "rope", "oil", "anti_cavitation", "creep", "buffer", "forces_in_motion",
+                               "solver_rodas"}, {"level_swing", "ellipsograph_load", "load_holding", "sticking", "stops", "solver_runge_kutta"}),
     "rope_motion": ({"level_swing", "rope_masses", "rope_led", "rope_winch", "hoist_ramp", "rope_at_rest"},
                     {"rope_load", "forces_in_motion", "rope_forces"}),
     "rope_slewing": ({"level_swing", "rope_masses", "rope_led", "rope_winch", "hoist_ramp", "slewing", "wind_aside_in_motion"},
@@ -115,7 +117,7 @@ SAID = {
     "car_4x2": ({"level_kinematic"}, {"level_turning"}),
 }
 # Where the coordinate's name does not begin with theta.
-COORDINATES = {"slewing_swing": "psi_sl", "slewing_by_speed": "psi_sl", "ellipsograph": "phi", "ellipsograph_motion": "phi", "rope_motion": "phi", "rope_slewing": "phi", "curved_trunk": "phi",
+COORDINATES = {"slewing_swing": "psi_sl", "slewing_by_speed": "psi_sl", "ellipsograph": "phi", "ellipsograph_motion": "phi", "ellipsograph_cylinder": "phi", "rope_motion": "phi", "rope_slewing": "phi", "curved_trunk": "phi",
                "curved_trunk_motion": "phi"}
 
 

@@ -10,7 +10,7 @@ use toml::{Table, Value};
 
 use crate::cases::cases;
 use crate::led::{begun, led, unsloped};
-use crate::luffing::{boom_level, drive_about_origin, dynamics, moving_parts, tail_balance, working_range};
+use crate::luffing::{boom_level, bored, drive_about_origin, dynamics, moving_parts, tail_balance, working_range};
 use crate::scene::{Draw, Node};
 
 /// A result that every level has.
@@ -49,10 +49,11 @@ fn direction(arc: [f64; 3], ends: [f64; 2], tie: f64, e: [f64; 2], phi: f64) -> 
 }
 
 pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
-    let (level, [moves, rope]) = boom_level(draw);
+    let (level, [moves, oil, rope]) = boom_level(draw, true);
+    let thick = bored(draw, oil);
     let mut table = draw.table(keys);
     let mut n = Node::new(draw, keys, &mut table);
-    moving_parts(&mut n, level, [moves, rope]);
+    moving_parts(&mut n, level, [moves, oil, rope]);
     let size = n.draw.scale[0];
     let b = size * n.draw.between(0.2, 2.0);
     let b = n.set("b", b);
@@ -106,14 +107,14 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
         let falls = rope.draw.between(4.0, 12.0);
         rope.set("m_h", falls);
     }
-    drive_about_origin(&mut n, range, moves);
+    drive_about_origin(&mut n, range, [moves, oil], thick);
     if let Some(mut turning) = n.child("slewing") {
         turning.remove(&["control", "slope"]);
         turning.remove(&AREA);
     }
     if moves {
         unsloped(&mut n);
-        dynamics(&mut n, "J_b", rope, false);
+        dynamics(&mut n, "J_b", rope, level == "hydraulic");
         begun(&mut n);
         held(&mut n, [a, b]);
         slowly(&mut n);

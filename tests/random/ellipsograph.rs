@@ -8,7 +8,7 @@ use toml::Table;
 
 use crate::cases::cases;
 use crate::luffing::{
-    LEAST_LENGTH, boom_level, drive_about_origin, dynamics, moving_parts, tail_balance, working_range,
+    LEAST_LENGTH, boom_level, bored, drive_about_origin, dynamics, moving_parts, tail_balance, working_range,
 };
 use crate::scene::{Draw, Node};
 
@@ -22,7 +22,8 @@ const LONGEST: f64 = 1e6;
 const BOOM: [f64; 2] = [0.05, 3.09];
 
 pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
-    let (level, [moves, rope]) = boom_level(draw);
+    let (level, [moves, oil, rope]) = boom_level(draw, true);
+    let thick = bored(draw, oil);
     let mut table = draw.table(keys);
     let mut n = Node::new(draw, keys, &mut table);
     let size = n.draw.scale[0];
@@ -32,7 +33,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     let part = n.draw.decades(-2, 1);
     let a = c * n.draw.pick(&[1.0, 1.0 + 1e-6, part]);
     n.set("a", a.clamp(LEAST_LENGTH, LONGEST));
-    moving_parts(&mut n, level, [moves, rope]);
+    moving_parts(&mut n, level, [moves, oil, rope]);
     if n.has("weights") {
         n.keep("Q", true);
     } else {
@@ -46,9 +47,9 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     let [from, to] = n
         .child("motion")
         .map_or(BOOM, |motion| [motion.get("from"), motion.get("to")]);
-    drive_about_origin(&mut n, [-to, -from], moves);
+    drive_about_origin(&mut n, [-to, -from], [moves, oil], thick);
     if moves {
-        dynamics(&mut n, "J_b", rope, false);
+        dynamics(&mut n, "J_b", rope, level == "hydraulic");
     }
     cases(&mut n, &PARTS);
     table

@@ -130,23 +130,47 @@ fn reach(linkage: &Linkage, from: f64, margins: &[Margin]) -> Option<[f64; 2]> {
     Some([end(-1.0)?, end(1.0)?])
 }
 
-/// A level of a single boom, whether it moves there, and whether its load swings.
-pub fn boom_level(draw: &mut Draw) -> (&'static str, [bool; 2]) {
-    let level = draw.pick(&["static", "table", "rigid", "swing", "auto"]);
+/// A level of a single boom, whether it moves there, whether oil moves it, if any may, and whether its load swings.
+pub fn boom_level(draw: &mut Draw, oils: bool) -> (&'static str, [bool; 3]) {
+    let level = match oils {
+        true => draw.pick(&["static", "table", "rigid", "swing", "hydraulic", "auto"]),
+        false => draw.pick(&["static", "table", "rigid", "swing", "auto"]),
+    };
     match level {
         "auto" => {
             let moves = draw.coin(0.5);
-            (level, [moves, moves && draw.coin(0.5)])
+            let oil = oils && moves && draw.coin(0.5);
+            (level, [moves, oil, moves && draw.coin(0.5)])
         }
-        _ => (level, [matches!(level, "rigid" | "swing"), level == "swing"]),
+        "hydraulic" => (level, [true, true, draw.coin(0.5)]),
+        _ => (level, [matches!(level, "rigid" | "swing"), false, level == "swing"]),
     }
 }
 
-/// The tables that a mechanism has at a level, or may have, where it moves, and its load swings.
-pub fn moving_parts(n: &mut Node, level: &str, [moves, rope]: [bool; 2]) {
+/// Bore of a drive (m) and pressure of its oil (Pa); a machine that its oil carries weighs what its cylinder bears.
+pub fn bored(draw: &mut Draw, oil: bool) -> [f64; 2] {
+    let length = if oil {
+        draw.scale[0].clamp(0.1, 1e3)
+    } else {
+        draw.scale[0]
+    };
+    let bore = length * draw.between(0.01, 0.03);
+    let pressure = draw.between(1e6, 1e7);
+    if oil {
+        draw.size(length, 0.2 * pressure * FRAC_PI_4 * bore * bore / draw.g);
+    }
+    [bore, pressure]
+}
+
+/// The tables that a mechanism has at a level, or may have, where it moves, oil moves it, and its load swings.
+pub fn moving_parts(n: &mut Node, level: &str, [moves, oil, rope]: [bool; 3]) {
     n.put("fidelity", level);
     n.keep("dynamics", moves);
     n.keep("control", false);
+    n.keep("hydraulics", oil);
+    if oil {
+        n.keep("drive", true);
+    }
     let turns = n.draw.coin(0.5);
     n.keep("slewing", moves && turns);
     let hoists = n.draw.coin(0.5);
@@ -165,8 +189,7 @@ pub fn moving_parts(n: &mut Node, level: &str, [moves, rope]: [bool; 2]) {
 
 /// Those of a double link.
 fn parts(n: &mut Node, level: &str, [moves, oil, rope]: [bool; 3]) {
-    moving_parts(n, level, [moves, rope]);
-    n.keep("hydraulics", oil);
+    moving_parts(n, level, [moves, oil, rope]);
     let tabulated = n.draw.coin(0.5);
     n.keep("table", matches!(level, "table" | "auto") && tabulated);
 }
@@ -189,17 +212,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     };
     let oil = moves && (level == "hydraulic" || level == "auto" && draw.coin(0.5));
     let rope = moves && (level == "swing" || level != "rigid" && draw.coin(0.5));
-    // A machine that its oil carries weighs what its cylinder bears.
-    let length = if oil {
-        draw.scale[0].clamp(0.1, 1e3)
-    } else {
-        draw.scale[0]
-    };
-    let bore = length * draw.between(0.01, 0.03);
-    let pressure = draw.between(1e6, 1e7);
-    if oil {
-        draw.size(length, 0.2 * pressure * FRAC_PI_4 * bore * bore / draw.g);
-    }
+    let [bore, pressure] = bored(draw, oil);
     let mut table = draw.table(keys);
     let mut n = Node::new(draw, keys, &mut table);
     parts(&mut n, level, [moves, oil, rope]);
@@ -207,9 +220,6 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
         n.keep("Q", true);
     } else {
         n.remove(&["balance", "synthesis"]);
-    }
-    if oil {
-        n.keep("drive", true);
     }
     if let Some(mut drive) = n.child("drive") {
         kind_of_drive(&mut drive, bore, [moves, oil]);
@@ -235,7 +245,9 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
         begun(&mut n);
     }
     if oil {
-        hydraulics(&mut n, &linkage, bore, pressure);
+        let range = n.child("motion").map(|m| ["from", "to"].map(|name| m.get(name)));
+        let range = range.unwrap_or_default();
+        hydraulics(&mut n, &linkage, range, |theta| linkage.at(theta), [bore, pressure]);
     }
     limits(&mut n, rope);
     published(&mut n);
@@ -451,10 +463,9 @@ fn drive(n: &mut Node, linkage: &Linkage) -> Margin {
 }
 
 /// A drive of a bar about the origin that works all over these angles of it, in rad, and limits of what there is.
-pub fn drive_about_origin(n: &mut Node, [from, to]: [f64; 2], moves: bool) {
-    let bore = n.draw.scale[0] * n.draw.between(0.01, 0.03);
+pub fn drive_about_origin(n: &mut Node, [from, to]: [f64; 2], [moves, oil]: [bool; 2], [bore, pressure]: [f64; 2]) {
     if let Some(mut drive) = n.child("drive") {
-        kind_of_drive(&mut drive, bore, [moves, false]);
+        kind_of_drive(&mut drive, bore, [moves, oil]);
     }
     let kind = n.child("drive").and_then(|drive| drive.text("kind").map(str::to_owned));
     let linkage = Linkage {
@@ -481,6 +492,9 @@ pub fn drive_about_origin(n: &mut Node, [from, to]: [f64; 2], moves: bool) {
         if margins.iter().all(works) {
             break;
         }
+    }
+    if oil {
+        hydraulics(n, &linkage, [from, to], |theta| Some(at(theta)), [bore, pressure]);
     }
     limits(n, false);
 }
@@ -970,15 +984,19 @@ fn unsampled(n: &mut Node) {
     }
 }
 
-fn hydraulics(n: &mut Node, linkage: &Linkage, bore: f64, pressure: f64) {
+/// Its cylinder is as long as the line of the drive over these angles of the driving link, in rad.
+fn hydraulics(
+    n: &mut Node,
+    linkage: &Linkage,
+    [from, to]: [f64; 2],
+    pose: impl Fn(f64) -> Option<Pose>,
+    [bore, pressure]: [f64; 2],
+) {
     let time = n.draw.scale[2];
-    let [from, to] = n
-        .child("motion")
-        .map_or([0.0; 2], |m| ["from", "to"].map(|name| m.get(name)));
     let d = n.child("drive").expect("there");
     let [x, y, arm, turn] = ["E_x", "E_y", "s_d", "chi_d"].map(|name| d.get(name));
     let at = |i: i32| {
-        let pose = linkage.at(from + (to - from) * f64::from(i) / 100.0)?;
+        let pose = pose(from + (to - from) * f64::from(i) / 100.0)?;
         Some(length(driving(linkage, &pose, Point::new(x, y), arm, turn)[1]))
     };
     let lengths = || (0..=100).filter_map(at);

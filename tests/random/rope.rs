@@ -19,7 +19,7 @@ pub const RESULT: (&str, &Symbol) = ("A.x", &s::A_X);
 const BOOM: [f64; 2] = [-0.2, 1.4];
 
 pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
-    let (level, [moves, swings]) = boom_level(draw);
+    let (level, parts @ [moves, _, swings]) = boom_level(draw, false);
     let mut table = draw.table(keys);
     let mut n = Node::new(draw, keys, &mut table);
     let size = n.draw.scale[0];
@@ -29,7 +29,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
         let offset = l * n.draw.between(-0.1, 0.1);
         n.set("f_A", offset);
     }
-    moving_parts(&mut n, level, [moves, swings]);
+    moving_parts(&mut n, level, parts);
     if n.has("weights") {
         n.keep("Q", true);
     } else {

@@ -74,6 +74,12 @@ const SECTIONS: [(&str, &[&Symbol]); 16] = [
         &[
             &h::A_A,
             &h::A_B,
+            &d::R_DX,
+            &d::R_DY,
+            &d::L_DX,
+            &d::L_DY,
+            &d::L_D,
+            &d::H_D,
             &d::V_D,
             &h::Y_V,
             &h::DP_T,
