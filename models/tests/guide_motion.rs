@@ -46,7 +46,7 @@ fn choice() -> GuidedChoice {
 
 /// The load on its rope, or fixed to the head.
 fn crane(bars: &Bars<f64>, weights: &GuidedWeights<f64>, hangs: bool) -> Dynamics {
-    let own = GuidedParts::new(bars, weights, &INERTIAS, &choice());
+    let own = GuidedParts::new(bars, weights, &INERTIAS, &choice(), &None);
     single_boom::crane::<Guided>(&own, [LOAD, ROPE], hangs.then_some(Hoist::AT_ONCE))
 }
 

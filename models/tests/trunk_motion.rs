@@ -105,7 +105,7 @@ fn angles() -> impl Iterator<Item = f64> {
 }
 
 fn crane(tail: &TrunkTail<f64>, choice: &TrunkChoice, hangs: bool) -> Dynamics {
-    let own = TrunkParts::new(tail, &WEIGHTS, &INERTIAS, choice, None);
+    let own = TrunkParts::new(tail, &WEIGHTS, &INERTIAS, choice, None, &None);
     single_boom::crane::<Trunked>(&own, [LOAD, ROPE], hangs.then_some(Hoist::AT_ONCE))
 }
 
