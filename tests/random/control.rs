@@ -10,6 +10,8 @@ pub struct Axis {
     /// Speed over distance, greatest speed, speed and place commanded.
     pub approach: [&'static str; 2],
     pub commands: [&'static str; 2],
+    /// Least ramp that a scene may give.
+    pub least: f64,
 }
 
 pub const SLEWING: Axis = Axis {
@@ -17,6 +19,7 @@ pub const SLEWING: Axis = Axis {
     settings: ["K_psl", "K_isl", "T_csl", "a_sl", "M_maxsl"],
     approach: ["K_psisl", "omega_maxsl"],
     commands: ["omega_csl", "psi_csl"],
+    least: 0.0,
 };
 
 pub const LUFFING: Axis = Axis {
@@ -24,6 +27,7 @@ pub const LUFFING: Axis = Axis {
     settings: ["K_pA", "K_iA", "T_cA", "a_A", "M_maxA"],
     approach: ["K_thetaA", "omega_maxA"],
     commands: ["omega_cA", "theta_cA"],
+    least: 0.0,
 };
 
 pub const HOIST: Axis = Axis {
@@ -31,6 +35,7 @@ pub const HOIST: Axis = Axis {
     settings: ["K_ph", "K_ih", "T_ch", "a_ch", "M_maxh"],
     approach: ["K_lh", "v_maxh"],
     commands: ["v_ch", "l_ch"],
+    least: 1e-3,
 };
 
 /// Sets the table of a controller: moment over acceleration at least, a speed that the axis may have, two places between
@@ -40,7 +45,7 @@ pub fn controlled(control: &mut Node, axis: &Axis, inertia: f64, speed: f64, [fr
     // p = K_p T_c/J up to 1, and q = K_i T_c²/J below it.
     let p = control.draw.between(0.05, 1.0);
     let q = p * control.draw.between(0.01, 0.5);
-    let ramp = speed.abs().max(1e-6) / (time * control.draw.between(0.1, 2.0));
+    let ramp = (speed.abs().max(1e-6) / (time * control.draw.between(0.1, 2.0))).max(axis.least);
     let limit = inertia * ramp * control.draw.between(0.5, 5.0);
     let values = [p * inertia / cycle, q * inertia / (cycle * cycle), cycle, ramp, limit];
     for (name, value) in axis.settings.into_iter().zip(values) {

@@ -116,7 +116,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
         unsloped(&mut n);
         dynamics(&mut n, "J_b", rope, level == "hydraulic");
         begun(&mut n);
-        held(&mut n, [a, b]);
+        held(&mut n, [a, b], level != "hydraulic");
         slowly(&mut n);
     }
     cases(&mut n, &PARTS);
@@ -145,7 +145,7 @@ fn sheltered(n: &mut Node) {
 
 /// The brake holds boom and trunk where the motion begins, and the rope pulls the trunk down: a boom that falls freely, or a load
 /// far out, may slacken the tie.
-fn held(n: &mut Node, [a, b]: [f64; 2]) {
+fn held(n: &mut Node, [a, b]: [f64; 2], brakes: bool) {
     let mut most = n.get("Q") * (a + b);
     if let Some(weights) = n.child("weights") {
         most += weights.get("G_b") * weights.get("r_b") + weights.get("G_t") * (b + weights.get("r_t"));
@@ -155,9 +155,11 @@ fn held(n: &mut Node, [a, b]: [f64; 2]) {
     }
     let mut dynamics = n.child("dynamics").expect("there");
     let motor = dynamics.get("M_A").abs();
-    dynamics.keep("M_S", true);
-    // More than ten times as much, were the weights masses.
-    dynamics.set("M_S", 4.0 * (motor + 10.0 * most));
+    if brakes {
+        dynamics.keep("M_S", true);
+        // More than ten times as much, were the weights masses.
+        dynamics.set("M_S", 4.0 * (motor + 10.0 * most));
+    }
     for name in ["dynamics", "hoisting"] {
         if let Some(mut table) = n.child(name).filter(|table| table.has("phi_R")) {
             let out = table.draw.between(-0.3, 0.05);
