@@ -38,6 +38,9 @@ pub const HOIST: Axis = Axis {
     least: 1e-3,
 };
 
+/// Of a motor under a controller, in N·m: less no scene gives.
+const LEAST_MOMENT: f64 = 1e-6;
+
 /// Sets the table of a controller: moment over acceleration at least, a speed that the axis may have, two places between
 /// which it may be sent, its cycle (s).
 pub fn controlled(control: &mut Node, axis: &Axis, inertia: f64, speed: f64, [from, to]: [f64; 2], cycle: f64) {
@@ -46,7 +49,7 @@ pub fn controlled(control: &mut Node, axis: &Axis, inertia: f64, speed: f64, [fr
     let p = control.draw.between(0.05, 1.0);
     let q = p * control.draw.between(0.01, 0.5);
     let ramp = (speed.abs().max(1e-6) / (time * control.draw.between(0.1, 2.0))).max(axis.least);
-    let limit = inertia * ramp * control.draw.between(0.5, 5.0);
+    let limit = (inertia * ramp * control.draw.between(0.5, 5.0)).max(LEAST_MOMENT);
     let values = [p * inertia / cycle, q * inertia / (cycle * cycle), cycle, ramp, limit];
     for (name, value) in axis.settings.into_iter().zip(values) {
         control.set(name, value);

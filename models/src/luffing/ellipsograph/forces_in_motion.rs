@@ -36,7 +36,7 @@ pub struct GuidedForces<C> {
     frame: Point<C>,
     /// Moment for the boom's angle that equilibrium asks for, and the forces of which it is, on their arms.
     asked: C,
-    levers: [[Point<C>; 2]; 2],
+    levers: [[Point<C>; 2]; 3],
     acting: Acting<C>,
     /// Of the drive on the link, push positive, where there is one.
     f_d: Option<C>,
@@ -117,7 +117,7 @@ impl<C: Calc> GuidedForces<C> {
             axial: (-plane::dot(f_c, position.c) / bars.c).def(&s::N_L),
             frame: plane::def(frame, [&s::F_O1X, &s::F_O1Y]),
             asked: asked.def(&s::M_T),
-            levers: [[position.c, f_c], [l[0], f_l]],
+            levers: [[position.c, f_c], [position.c, on_boom], [l[0], f_l]],
             acting: *acting,
             f_d,
         })
