@@ -2,12 +2,15 @@
 
 #[path = "common/named.rs"]
 mod named;
+#[path = "common/single_boom.rs"]
+mod single_boom;
 
 use lemnis_models::component::model::Model;
 use lemnis_models::kernel::variable::Role;
 use lemnis_models::scene::Scene;
 
 use named::{get, index, model, near, set};
+use single_boom::derivatives_are_those_of_the_values;
 
 const OIL: &str = include_str!("../../tests/levels/hydraulics.toml");
 
@@ -209,6 +212,41 @@ fn energies_close() {
                 "{:e}",
                 of("motion_energy")
             );
+        }
+    }
+}
+
+/// What the FMU says of derivatives, by states, inputs and parameters, against differences of its values.
+#[test]
+fn derivatives_are_those_of_its_values() {
+    for boom in &BOOMS {
+        for rope in [false, true] {
+            let [from, to] = boom.angles.map(f64::to_radians);
+            let states = [
+                ("phi", 0.5 * (from + to)),
+                ("omega", 0.03),
+                ("p_1", 110e5),
+                ("p_2", 30e5),
+                ("p_A", 95e5),
+                ("p_B", 45e5),
+                ("x_v", 0.2),
+                ("v_v", 3.0),
+                ("phi_R", 0.1),
+                ("omega_R", -0.03),
+                ("l_R", 9.0),
+            ];
+            let asked = [
+                "der(omega)",
+                "der(p_1)",
+                "der(p_2)",
+                "der(p_A)",
+                "der(p_B)",
+                "der(omega_R)",
+                "F_c",
+                "S_R",
+            ];
+            let asked = [&asked[..], &boom.pins[..1], &boom.pins[4..]].concat();
+            derivatives_are_those_of_the_values(boom.model("hydraulic", rope), &states, &asked, 60);
         }
     }
 }

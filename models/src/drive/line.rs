@@ -7,7 +7,7 @@ use crate::drive::gear::Gear;
 use crate::drive::mount::{Anchors, Bore, DriveMount, DrivenBar};
 use crate::drive::shaft::{Gearing, Shaft};
 use crate::drive::symbols as s;
-use crate::kernel::calc::Calc;
+use crate::kernel::calc::{Calc, Over};
 use crate::kernel::symbol::Symbol;
 use crate::parts::hydraulics::cylinder;
 use crate::parts::plane::{self, Point};
@@ -85,7 +85,13 @@ impl<C: Calc> Drive<C> {
     }
 }
 
-/// The same for a drive of a length (m) and a lever arm (m).
+/// Length (m) and lever arm (m) of a drive along a line on a driving link that is given over another scalar.
+pub fn drawn<P: Calc, C: Over<P>>(bar: &DrivenBar<C>, anchors: &Anchors<P>) -> [C; 2] {
+    let Drive { l_d, h_d, .. } = Drive::new(bar, &anchors.map(&mut |_, x| C::of(x)));
+    [l_d, h_d]
+}
+
+/// [`Drive::force`] for a drive of a length (m) and a lever arm (m).
 pub fn force<C: Calc>(moment: C, [l_d, h_d]: [C; 2], symbol: &'static Symbol) -> C {
     if h_d.value().abs() > 4.0 * f64::EPSILON * l_d.value() {
         return (moment / h_d).def(symbol);

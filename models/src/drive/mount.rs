@@ -24,12 +24,17 @@ pub enum DriveMount<C> {
 }
 either!(DriveMount { Anchors, Sector });
 
+impl<C: Copy> DriveMount<C> {
+    /// The anchors of a drive along a line.
+    #[must_use]
+    pub fn line(&self) -> Option<Anchors<C>> {
+        self.anchors().ok().copied()
+    }
+}
+
 impl<C> DriveMount<C> {
     /// Of all but a sector.
-    ///
-    /// # Errors
-    /// Those of a sector.
-    pub fn anchors(&self) -> Found<&Anchors<C>> {
+    pub(super) fn anchors(&self) -> Found<&Anchors<C>> {
         match self {
             DriveMount::Anchors(anchors) => Ok(anchors),
             DriveMount::Sector(_) => Err(absent()),

@@ -112,7 +112,7 @@ impl<C: Calc> TrunkForces<C> {
             None => (f_t, about_b),
         };
         let zero = C::constant(0.0);
-        let rope = bodies.reeved.as_ref().and_then(|led| {
+        let rope = bodies.own.reeved.as_ref().and_then(|led| {
             let at_trunk = [position.b, position.along];
             let bars = [[Point::new(zero, zero), Point::new(cos, sin)], at_trunk, at_trunk];
             let each = led.hauled(&LedBars::still(bars, (TRUNK, position.a)))?;

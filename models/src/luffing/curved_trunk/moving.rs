@@ -1,6 +1,6 @@
 //! Boom and trunk in motion: what they are to the equations of motion, in closed form over the point of contact.
 
-use crate::drive::line::Drive;
+use crate::drive::line::drawn;
 use crate::drive::mount::{Anchors, DriveMount};
 use crate::kernel::calc::{Calc, Over};
 use crate::kernel::group::quantities;
@@ -71,7 +71,7 @@ impl<C: Calc> TrunkParts<C> {
             inertias: *inertias,
             choice: choice.clone(),
             reeved: reeved.copied(),
-            anchors: mount.as_ref().and_then(|mount| mount.anchors().ok().copied()),
+            anchors: mount.as_ref().and_then(DriveMount::line),
         }
     }
 }
@@ -79,14 +79,11 @@ impl<C: Calc> TrunkParts<C> {
 /// What of them moves and weighs.
 #[derive(Clone)]
 pub struct TrunkBodies<P> {
-    tail: TrunkTail<P>,
-    choice: TrunkChoice,
+    pub own: TrunkParts<P>,
     /// Of boom, from its foot, and trunk, from B.
     pub bodies: [Body<P>; 2],
-    /// A led hoist rope, and the mass of a load on it that does not swing, in kg.
-    pub reeved: Option<Reeved<P>>,
+    /// The mass of a load that does not swing on a led hoist rope, in kg.
     load: Option<P>,
-    anchors: Option<Anchors<P>>,
 }
 
 /// A boom with a curved trunk, as its equations of motion see it.
@@ -95,8 +92,8 @@ pub struct Trunked;
 
 impl<P: Calc> TrunkBodies<P> {
     fn placed<C: Over<P>>(&self, phi: C) -> Option<(Contact<C>, TrunkPosition<C>, TrunkTravel<C>)> {
-        let tail = self.tail.map(C::of);
-        let contact = Contact::new(&tail, &self.choice, &phi).ok()?;
+        let tail = self.own.tail.map(C::of);
+        let contact = Contact::new(&tail, &self.own.choice, &phi).ok()?;
         let position = TrunkPosition::new(&tail, &contact);
         let travel = TrunkTravel::new(&position);
         Some((contact, position, travel))
@@ -132,19 +129,15 @@ impl SingleBoom for Trunked {
             trunk.inertia = trunk.inertia.def(&s::J_TQ);
         }
         TrunkBodies {
-            tail: own.tail,
-            choice: own.choice.clone(),
+            own: own.clone(),
             bodies: [boom, trunk],
-            reeved: own.reeved,
             load: fixed.filter(|_| own.reeved.is_some()),
-            anchors: own.anchors,
         }
     }
 
     fn line<P: Calc, C: Over<P>>(of: &TrunkBodies<P>, phi: C) -> Option<[C; 2]> {
-        let anchors = of.anchors?.map(&mut |_, x| C::of(x));
-        let drive = Drive::new(&driving::boom(C::of(of.tail.trunk.b), phi), &anchors);
-        Some([drive.l_d, drive.h_d])
+        let boom = driving::boom(C::of(of.own.tail.trunk.b), phi);
+        Some(drawn(&boom, of.own.anchors.as_ref()?))
     }
 
     fn load<P: Over<P>>(of: &TrunkBodies<P>, phi: P) -> Option<(P, [Point<P>; 3])> {
@@ -152,7 +145,7 @@ impl SingleBoom for Trunked {
         let (contact, position, travel) = of.placed(phi)?;
         let bend = TrunkBend::new(&contact, &position, &travel);
         let head = bent_head((&position, &travel, &bend));
-        let LedMoves { raised, lead } = moves(of.reeved.as_ref()?, phi, (&position, &travel, &bend), head)?;
+        let LedMoves { raised, lead } = moves(of.own.reeved.as_ref()?, phi, (&position, &travel, &bend), head)?;
         Some((mass.def(&m::MASS_Q), hung(head, raised, lead)))
     }
 
@@ -170,7 +163,7 @@ impl SingleBoom for Trunked {
         let TrunkCentres { boom, trunk } = TrunkCentres::new(centres, (phi, &position), (&travel, &bend));
         let place = [position.b + trunk[0], trunk[1], trunk[2]];
         let head = bent_head((&position, &travel, &bend));
-        let led = match &of.reeved {
+        let led = match &of.own.reeved {
             Some(reeved) => Some(moves(reeved, phi, (&position, &travel, &bend), head)?),
             None => None,
         };
@@ -198,9 +191,8 @@ impl SingleBoom for Trunked {
             [Point::new(cos, sin), Point::new(-sin, cos)],
             [position.along, plane::turned(position.along, zero, travel.i_2)],
         ];
-        let line = asked.drive.then(|| Trunked::line(of, phi)).flatten();
         let moves = moves
-            .pushed(line)
+            .pushed(asked.drive.then(|| Trunked::line(of, phi)).flatten())
             .hanging(load)
             .turning((gravity, asked), of.bodies.each_ref(), bars.map(Some));
         Some(Reduced::of(of.bodies.each_ref(), OF_BODY.each_ref(), gravity, moves))

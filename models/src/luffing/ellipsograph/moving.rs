@@ -1,6 +1,6 @@
 //! Boom and link in motion: what they are to the equations of motion, in closed form.
 
-use crate::drive::line::Drive;
+use crate::drive::line::drawn;
 use crate::drive::mount::{Anchors, DriveMount};
 use crate::kernel::calc::{Calc, Over};
 use crate::kernel::group::quantities;
@@ -61,7 +61,7 @@ impl<C: Calc> GuidedParts<C> {
             weights: *weights,
             inertias: *inertias,
             choice: *choice,
-            anchors: mount.as_ref().and_then(|mount| mount.anchors().ok().copied()),
+            anchors: mount.as_ref().and_then(DriveMount::line),
         }
     }
 }
@@ -145,9 +145,8 @@ impl SingleBoom for Guided {
 
     /// The link turns against the boom's angle, and so the arm is.
     fn line<P: Calc, C: Over<P>>(of: &GuidedBodies<P>, phi: C) -> Option<[C; 2]> {
-        let anchors = of.anchors?.map(&mut |_, x| C::of(x));
-        let drive = Drive::new(&driving::link(C::of(of.bars.c), phi), &anchors);
-        Some([drive.l_d, -drive.h_d])
+        let [length, arm] = drawn(&driving::link(C::of(of.bars.c), phi), of.anchors.as_ref()?);
+        Some([length, -arm])
     }
 
     /// Foot and head are c + a and 2c from
@@ -188,9 +187,8 @@ impl SingleBoom for Guided {
             [Point::new(cos, sin), Point::new(-sin, cos)],
             [Point::new(cos, -sin), Point::new(-sin, -cos)],
         ];
-        let line = asked.drive.then(|| Guided::line(of, phi)).flatten();
         let moves = moves
-            .pushed(line)
+            .pushed(asked.drive.then(|| Guided::line(of, phi)).flatten())
             .turning((gravity, asked), of.bodies.each_ref(), bars.map(Some));
         let names = OF_BODY.each_ref();
         Some(Reduced::of(of.bodies.each_ref(), names, gravity, moves))
