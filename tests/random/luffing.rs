@@ -352,7 +352,7 @@ fn kind_of_drive(drive: &mut Node, bore: f64, [moves, oil]: [bool; 2]) {
     let kind = match cylinder {
         true => "cylinder",
         false if moves => drive.draw.pick(&["rack", "rope"]),
-        false if drive.draw.coin(0.5) => "rack",
+        false if drive.draw.coin(0.2) => "rack",
         false => drive.draw.pick(&["screw", "sector", "crank", "rope"]),
     };
     drive.put("kind", kind);
