@@ -108,6 +108,11 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
         rope.set("m_h", falls);
     }
     drive_about_origin(&mut n, range, [moves, oil], thick);
+    if let Some(mut oil) = n.child("hydraulics") {
+        // Oil that holds it: a boom that falls or starts at once may slacken the tie.
+        oil.set("u_v", 0.0);
+        oil.remove(&["p_lh", "i_lh", "dp_lh", "x_T", "y_b1", "y_b2"]);
+    }
     if let Some(mut turning) = n.child("slewing") {
         turning.remove(&["control", "slope"]);
         turning.remove(&AREA);
