@@ -16,7 +16,7 @@
 //! | `level`, `shares`, `powers`, `energies` | what the levels have in common; what turns the driving link; what gives and takes power, and what blows do |
 //! | `inertia_forces`, `balance_in_motion` | weight and inertia of one body; what a balance does to its boom |
 //! | `given`, `symbols`, `listed` | inputs, states and memory as groups; quantities; which of them a scene has |
-//! | `scene`, `hoisting`, `oil_scene`, `weather_scene`, `step`, `levels` | keys of motion, of rope and hoist, of oil, of wind and slope; the solver's step; what descriptions of single booms have in common |
+//! | `scene`, `hoisting`, `oil_scene`, `weather_scene`, `step`, `levels` | keys of motion, of rope and hoist, of oil, of wind and slope; the solver's step; the levels that descriptions have in common |
 //! | `stages`, `luffs` | rates, event indicators, reactions as stages; a component that has them |
 //! | `outline`, `told` | what the book tells of all that |
 //! | `single` | a single boom in motion, from what a mechanism says of it |
