@@ -1,5 +1,7 @@
 //! Benchmarks beside their goals: `cargo bench --workspace --bench goals`, with `-- motion` those of mechanisms in
-//! motion alone, with `-- supports` those of what a crane stands on, with `-- books` those of books. Figures are the best of several rounds on this machine; nothing here fails.
+//! motion alone, with `-- luffing` those of luffing systems and of what their drives must overcome, with `-- supports` those of
+//! what a crane stands on, with `-- books` those of books. Figures are the best of several rounds on this machine; nothing here
+//! fails.
 
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
@@ -28,6 +30,8 @@ use lemnis_tests::unpacked::{DoStep, GetState, Real, SetReal, SetState, Unpacked
 
 #[path = "goals/books.rs"]
 mod books;
+#[path = "goals/luffing.rs"]
+mod luffing;
 #[path = "goals/motion.rs"]
 mod motion;
 #[path = "goals/supports.rs"]
@@ -55,6 +59,7 @@ fn row(what: &str, value: f64, unit: &str, goal: f64) {
 fn main() {
     for (name, rows) in [
         ("books", books::rows as fn()),
+        ("luffing", luffing::rows),
         ("motion", motion::rows),
         ("supports", supports::rows),
     ] {
@@ -65,7 +70,7 @@ fn main() {
     }
     let scene = Scene::parse(DEFAULT).expect("the default scene is valid");
     models(&scene);
-    curved_trunk();
+    luffing::rows();
     steering();
     supports::rows();
     motion::rows();
@@ -89,40 +94,6 @@ fn main() {
     instances();
     synthesis();
     programs();
-}
-
-/// The ready scene of the curved trunk, its tail as an arc, as the FMU asks for it.
-fn curved_trunk() {
-    let scene = Scene::parse(include_str!("../models/scenes/curved_trunk.toml")).expect("a ready-made scene is valid");
-    let mut model = scene.model().expect("a mechanism");
-    let kinematics = [
-        "B.x", "B.y", "A.x", "A.y", "T.x", "T.y", "R", "w", "f", "h_t", "i_2", "V_AX", "V_AY",
-    ];
-    let forces = [
-        "mu", "M_Q", "M_Q.P", "M_G", "M_D", "N_t", "F_B.x", "F_B.y", "F_O1.x", "F_O1.y", "q_t", "p_t",
-    ];
-    let mut index = |id: &str| {
-        let found = model.variables().iter().position(|v| v.symbol.id == id).expect("there");
-        model.get(found).map(|_| found).expect("closes")
-    };
-    let (kinematics, forces) = (kinematics.map(&mut index), forces.map(&mut index));
-    let mut time = |indices: &[usize]| {
-        nanoseconds(|angle| {
-            // Within the working range, 42 to 80 deg.
-            model.set(0, 0.74 + 0.65 * (angle - 1.05)).expect("an angle");
-            for &index in indices {
-                black_box(model.get(index).expect("closes"));
-            }
-        })
-    };
-    row("model: curved trunk, kinematics", time(&kinematics), "ns", 150.0);
-    let all: Vec<usize> = kinematics.into_iter().chain(forces).collect();
-    row(
-        "model: the same, transmission, moments, tie, pins, drive",
-        time(&all),
-        "ns",
-        400.0,
-    );
 }
 
 /// All eight groups of the boat hoist through the running model.
