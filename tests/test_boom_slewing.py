@@ -21,6 +21,9 @@ OUTPUTS = ["psi_sl", "x_Q", "y_Q", "z_Q", "l_R"]
 END = 4.0
 # Inertia (kg·m²) and radius (m) of a drum, its motor's moment and dry friction (N·m).
 DRUM = (900.0, 0.3, 17.5e3, 1e3)
+# Of the ground (rad); what slews besides the bodies weighs (N) behind the slewing axis (m).
+SLOPE, UPPER, BEHIND = np.radians(2.0), 900e3, -1.5
+ON_SLOPE = f'[slewing.slope]\ngamma_s = "2 deg"\nG_u = "{UPPER / 1e3} kN"\nr_u = "{BEHIND} m"\n\n'
 
 
 def halves(mass, inertia, centre, along):
@@ -129,8 +132,10 @@ def places(system, start, q):
     return np.array([mass for mass, _ in seen]), np.array(ground), line
 
 
-def rates(system, start, moment, gain, falls=None):
-    """Of coordinates and their rates, the hoist's speed changing at a rate (m/s²), or with its drum behind so many falls."""
+def rates(system, start, moment, gain, falls=None, slope=0.0):
+    """Of coordinates and their rates, the hoist's speed changing at a rate (m/s²), or with its drum behind so many falls, where the
+    ground falls by an angle in the direction in which the crane begins."""
+    weighs = G * np.array([np.sin(slope), -np.cos(slope), 0.0])
     drum = np.zeros(2)
     if falls:
         ratio = falls / DRUM[1]
@@ -147,7 +152,8 @@ def rates(system, start, moment, gain, falls=None):
         free = jacobian if falls else jacobian[:4]
         inertia = np.einsum("imx,m,jmx->ij", free, masses, free)
         inertia[1, 1] += 1.5e6
-        forces = -np.einsum("imx,m,mx->i", free, masses, bias + np.array([0.0, G, 0.0]))
+        forces = -np.einsum("imx,m,mx->i", free, masses, bias - weighs)
+        forces[1] -= UPPER * BEHIND * np.sin(slope) * np.sin(q[1])
         if falls:
             inertia[4, 4] += drum[0]
             forces[4] += drum[1]
@@ -159,7 +165,7 @@ def rates(system, start, moment, gain, falls=None):
     return of
 
 
-def points(system, begun, moment, falls=None):
+def points(system, begun, moment, falls=None, slope=0.0):
     """What the FMUs give, over their times: the hoist is at its speed after 0.4 s, or a motor turns its drum behind so many falls."""
     phi, length = begun
     start = (system(phi)[2], length)
@@ -167,7 +173,7 @@ def points(system, begun, moment, falls=None):
     found = []
     for (first, last), gain in [((0.0, END), 0.0)] if falls else [((0.0, 0.4), -0.25), ((0.4, END), 0.0)]:
         times = np.round(np.arange(first, last + 1e-9, 0.1), 9)
-        run = solve_ivp(rates(system, start, moment, gain, falls), (first, last), y, method="DOP853", t_eval=times, rtol=1e-11, atol=1e-12)
+        run = solve_ivp(rates(system, start, moment, gain, falls, slope), (first, last), y, method="DOP853", t_eval=times, rtol=1e-11, atol=1e-12)
         y = run.y[:, -1]
         found += [(t, at) for t, at in zip(run.t, run.y.T) if first == 0.0 or t > first]
     rows = []
@@ -201,34 +207,39 @@ ROPE_OF_TRUNK = "".join(f'[[luffing.rope.sheave]]\non = "{on}"\nx_r = "{x} m"\ny
     ("trunk", -1.0, 1.5), ("boom", 12.0, 1.2), ("frame", -5.0, 11.0)])
 
 
-@pytest.fixture(scope="module", params=["rope", "rope by motor", "guided", "led", "led by motor", "trunk"])
+@pytest.fixture(scope="module", params=["rope", "rope by motor", "rope on slope", "guided", "led", "led by motor",
+                                        "led by motor on slope", "trunk", "trunk on slope"])
 def compared(request, tmp_path_factory):
-    kind, _, motor = request.param.partition(" by ")
-    folder = tmp_path_factory.mktemp(kind + motor)
+    kind, _, leans = request.param.partition(" on ")
+    kind, _, motor = kind.partition(" by ")
+    slope = SLOPE if leans else 0.0
+    turns = TURNS + (ON_SLOPE if leans else "")
+    folder = tmp_path_factory.mktemp(kind + motor + leans)
     # The experiment ends before a motor has reeled in all of the rope.
     hoist, falls, speed = (BY_MOTOR, 2, "12 deg/s") if motor else (BY_SPEED, None, "0.8 deg/s")
     if kind == "rope":
-        path = inserted(ROPE, folder, ('"0.8 deg/s"', f'"{speed}"'), ('v_h = "-0.1 m/s"      # lifts\na_h = "0.25 m/s2"\n', hoist))
-        expected = points(boom_on_a_rope, (np.radians(25.0), 12.0), 3.8e6, falls)
+        path = inserted(ROPE, folder, ('"0.8 deg/s"', f'"{speed}"'), ('v_h = "-0.1 m/s"      # lifts\na_h = "0.25 m/s2"\n', hoist),
+                        ("[luffing.limits]", (ON_SLOPE if leans else "") + "[luffing.limits]"))
+        expected = points(boom_on_a_rope, (np.radians(25.0), 12.0), 3.8e6, falls, slope)
         return packed(path, "RopeSlewing", folder), expected, 3.8e6, "phi"
     if kind == "guided":
-        path = inserted(GUIDED, folder, ("[luffing.limits]", TURNS + "[luffing.limits]"))
+        path = inserted(GUIDED, folder, ("[luffing.limits]", turns + "[luffing.limits]"))
         expected = points(boom_on_guide_and_link, (np.radians(25.0), 15.0), 250e3)
         return packed(path, "EllipsographMotion", folder), expected, 250e3, "phi"
     if kind == "led":
         text = LED.read_text(encoding="utf-8")
         own = text[text.index("[luffing.dynamics]"):text.index("[luffing.limits]")]
         inertias = 'J_1 = "620000 kg.m2"\nJ_2 = "250000 kg.m2"\nJ_3 = "72000 kg.m2"\n'
-        path = inserted(LED, folder, ('"1 deg/s"', f'"{speed}"'), ('Q = "160 kN"', 'Q = "10 t"'), (own, moving(inertias, 1.7e6, 12.0, hoist) + TURNS))
-        expected = points(double_link, (np.radians(60.0), 12.0), 1.7e6, falls)
+        path = inserted(LED, folder, ('"1 deg/s"', f'"{speed}"'), ('Q = "160 kN"', 'Q = "10 t"'), (own, moving(inertias, 1.7e6, 12.0, hoist) + turns))
+        expected = points(double_link, (np.radians(60.0), 12.0), 1.7e6, falls, slope)
         return packed(path, "LedRope", folder), expected, 1.7e6, "theta_1"
     inertias = 'J_b = "500000 kg.m2"\nJ_t = "150000 kg.m2"\n'
     text = TRUNK.read_text(encoding="utf-8")
     balance = text[text.index("[luffing.balance]"):text.index("[luffing.limits]")]
     rope = '[luffing.rope]\nm_h = "4"\nh_Q = "8 m"\n' + ROPE_OF_TRUNK
     path = inserted(TRUNK, folder, ('kind = "curved_trunk"', 'kind = "curved_trunk"\nfidelity = "swing"'), (balance, rope),
-                    ("[luffing.limits]", moving(inertias, 1.9e6, 8.0, hoist) + TURNS + "[luffing.limits]"))
-    return packed(path, "CurvedTrunkCrane", folder), points(boom_with_trunk, (np.radians(42.0), 8.0), 1.9e6), 1.9e6, "phi"
+                    ("[luffing.limits]", moving(inertias, 1.9e6, 8.0, hoist) + turns + "[luffing.limits]"))
+    return packed(path, "CurvedTrunkCrane", folder), points(boom_with_trunk, (np.radians(42.0), 8.0), 1.9e6, slope=slope), 1.9e6, "phi"
 
 
 @pytest.mark.parametrize("standard", ENDS)
@@ -243,3 +254,53 @@ def test_it_moves_as_points_in_space(compared, standard, kind):
     ranges = np.ptp(expected, axis=0)
     assert np.all(ranges[:2] > 0.02) and np.all(ranges[2:] > 0.05), ranges
     assert np.max(np.abs(found - expected) / ranges) < 2e-6
+
+
+def hung(system, moment, slope):
+    """Rates of luffing and slewing and of their rates, the load plumb below the head, farther where luffing lets its rope out."""
+    weighs = G * np.array([np.sin(slope), -np.cos(slope), 0.0])
+
+    def of(_, y):
+        q, rate = y[:2], y[2:]
+
+        def all_places(q):
+            at = np.array([q[0], q[1], 0.0 * q[0], 0.0 * q[0], 0.0 * q[0]])
+            masses, ground, _ = places(system, (0.0, 20.0), at)
+            return masses, ground, system(q[0])[2]
+
+        def speeds(q, rate):
+            return np.imag(all_places(q + 1e-30j * rate)[1]) / 1e-30
+        masses, _, _ = all_places(q)
+        jacobian = np.array([speeds(q, unit) for unit in np.eye(2)])
+        bias = (speeds(q + 1e-5 * rate, rate) - speeds(q - 1e-5 * rate, rate)) / 2e-5
+        inertia = np.einsum("imx,m,jmx->ij", jacobian, masses, jacobian)
+        inertia[1, 1] += 1.5e6
+        forces = np.einsum("imx,m,mx->i", jacobian, masses, weighs - bias)
+        # The rope's length below the head is 20 m less what is led, along the plumb line and not upright to the ground.
+        led = np.imag(all_places(q + 1e-30j * np.array([1.0, 0.0]))[2]) / 1e-30
+        forces[0] += LOAD * led * (-G + np.cos(slope) * G)
+        forces[1] -= UPPER * BEHIND * np.sin(slope) * np.sin(q[1])
+        wind = 0.5 * 1.225 * 36.0 * 30.0 * 7.0 * np.sin(np.radians(60.0) - q[1])
+        for i, (acting, name) in enumerate([(moment, "luffing"), (120e3 + wind, "slewing")]):
+            viscous, dry = FRICTION[name]
+            forces[i] += acting - viscous * rate[i] - dry
+        return np.concatenate([rate, np.linalg.solve(inertia, forces)])
+    return of
+
+
+@pytest.mark.parametrize("standard", ENDS)
+def test_a_load_that_does_not_swing_hangs_plumb_on_a_slope(tmp_path, standard):
+    """Its rope is led over a sheave: what luffing lets out of it lowers the load along the plumb line."""
+    text = LED.read_text(encoding="utf-8")
+    own = text[text.index("[luffing.dynamics]"):text.index("[luffing.limits]")]
+    inertias = 'J_1 = "620000 kg.m2"\nJ_2 = "250000 kg.m2"\nJ_3 = "72000 kg.m2"\n'
+    still = moving(inertias, 1.7e6, 12.0, "").split("[luffing.hoisting]")[0]
+    path = inserted(LED, tmp_path, ('fidelity = "swing"', 'fidelity = "rigid"'), ('Q = "160 kN"', 'Q = "10 t"'), (own, still + TURNS + ON_SLOPE))
+    start = [np.radians(60.0), 0.0, 0.0, 0.0]
+    solved = solve_ivp(hung(double_link, 1.7e6, SLOPE), (0.0, END), start, method="DOP853", t_eval=np.linspace(0.0, END, 41),
+                       rtol=1e-11, atol=1e-12)
+    run = simulate_fmu(packed(path, "LedRope", tmp_path)[standard], stop_time=END, output_interval=0.1, relative_tolerance=1e-10,
+                       record_events=False, start_values={"M_A": 1.7e6, "M_S": 0.0}, output=["theta_1", "psi_sl"])
+    for name, expected in zip(["theta_1", "psi_sl"], solved.y):
+        swept = np.ptp(expected)
+        assert swept > 0.02 and np.max(np.abs(run[name] - expected)) < 2e-6 * swept, name

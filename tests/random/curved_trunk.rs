@@ -9,7 +9,7 @@ use lemnis_models::luffing::curved_trunk::symbols as s;
 use toml::{Table, Value};
 
 use crate::cases::cases;
-use crate::led::{begun, led, unsloped};
+use crate::led::{begun, led};
 use crate::luffing::{boom_level, bored, drive_about_origin, dynamics, moving_parts, tail_balance, working_range};
 use crate::scene::{Draw, Node};
 
@@ -118,7 +118,6 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
         turning.remove(&AREA);
     }
     if moves {
-        unsloped(&mut n);
         dynamics(&mut n, "J_b", rope, level == "hydraulic");
         begun(&mut n);
         held(&mut n, [a, b], level != "hydraulic");

@@ -36,16 +36,6 @@ pub fn led(n: &mut Node, bars: &[(&'static str, f64, f64)], size: f64) {
     rope.put("sheave", all);
 }
 
-/// A mechanism that moves with such a rope stands on level ground where it slews.
-pub fn unsloped(n: &mut Node) {
-    if !n.has("rope") {
-        return;
-    }
-    if let Some(mut turning) = n.child("slewing") {
-        turning.remove(&["slope"]);
-    }
-}
-
 /// It begins as far below the head as its rope is long, where it swings.
 pub fn begun(n: &mut Node) {
     let table = if n.has("hoisting") { "hoisting" } else { "dynamics" };

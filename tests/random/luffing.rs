@@ -17,7 +17,7 @@ use toml::Table;
 use crate::cases::cases;
 use crate::control::{Axis, HOIST, LUFFING, SLEWING, controlled, cycle};
 use crate::hung;
-use crate::led::{begun, led, unsloped};
+use crate::led::{begun, led};
 use crate::scene::{Draw, Node};
 
 /// A result that every level has.
@@ -240,7 +240,6 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     }
     if moves {
         let turns = if n.text("driven") == Some("boom") { "J_1" } else { "J_3" };
-        unsloped(&mut n);
         dynamics(&mut n, turns, rope, level == "hydraulic");
         begun(&mut n);
     }

@@ -58,9 +58,6 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     }
     tail_balance(&mut n);
     working_range(&mut n, BOOM);
-    if let Some(mut turning) = n.child("slewing") {
-        turning.remove(&["slope"]);
-    }
     if moves {
         dynamics(&mut n, "J_b", swings, false);
     }

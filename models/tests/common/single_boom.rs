@@ -122,7 +122,7 @@ pub fn slopes_are_derivatives(
         );
         assert!((r.inertia.by[0] - plain.slope).abs() <= 1e-13 * plain.inertia, "{phi}");
         assert!((r.energy.by[0] - plain.moment).abs() <= 1e-13 * energy, "{phi}");
-        if let (Some([lead, _]), Some([_, change])) = (r.lead(), plain.lead()) {
+        if let (Some([lead, _]), Some([_, change])) = (r.lead, plain.lead) {
             assert!((lead.by[0] - change).abs() <= 1e-13 * length, "{phi}");
         }
     }

@@ -299,12 +299,12 @@ impl Posing<Rec> for Rec {
                 None => [Rec::constant(0.0); 2],
             },
             turn: turn.unwrap_or([Rec::constant(0.0); 2]),
-            weighed: asked.leans.then(|| {
+            weighed: asked.turntable.filter(|_| asked.leans).map(|table| {
                 let gravity = d.bodies.gravity;
-                let each = posed
-                    .bodies
-                    .iter()
-                    .map(|it| [it.mass * gravity, it.reach, it.travel[0].x]);
+                let of = |it: &PosedBody<Rec>| [it.mass * gravity, it.reach, it.travel[0].x];
+                let hung =
+                    |(mass, [at, travel, _]): &(Rec, [Point<Rec>; 3])| [*mass * gravity, at.x - table.axis, travel.x];
+                let each = posed.bodies.iter().map(of).chain(posed.load.iter().map(hung));
                 let counterweight = posed.counterweight.iter();
                 weighed_forward(each.chain(counterweight.map(|it| [it.mass * gravity, it.reach, it.travel[0].x])))
             }),

@@ -14,7 +14,6 @@ use crate::luffing::moving::symbols::L_R;
 use crate::luffing::resistances::placed::BARS;
 use crate::luffing::resistances::train::named;
 use crate::parts::motion::degrees;
-use crate::parts::slope::SLOPE;
 
 /// Quantities of the led rope and of the tackle that carries the load.
 mod s {
@@ -69,7 +68,6 @@ impl LedRopeScene {
         };
         if let Some(moving) = moving {
             found.extend(elsewhere(Some(table), s::H_Q.id, moving));
-            found.extend(leaning(v));
         }
         let known: Vec<&str> = bars.iter().copied().chain([FRAME]).collect();
         let mut led = LedRopeScene {
@@ -144,14 +142,6 @@ impl LedRopeScene {
         let span = table.map_or(0..0, |table| table.place(s::X_R.id));
         found.push(Diagnostic::new(span, what, "no room for a sheave").help(help));
     }
-}
-
-/// A slope under a boom that slews: what its load's rope over a sheave has of it depends on the slewing angle.
-pub fn leaning(v: &Values) -> Option<Diagnostic> {
-    let table = v.table("slewing").filter(|table| table.has(SLOPE.name))?;
-    let what = "a slope under a boom that slews and leads its load's rope over a sheave";
-    let help = "remove [slewing.slope]; a boom that does not slew takes a slope as sigma_m in [luffing.dynamics]";
-    Some(table.refuse(SLOPE.name, what, "not modelled", help))
 }
 
 /// Part of a length by which two that are the same may differ, as their units are.

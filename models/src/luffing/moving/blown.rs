@@ -54,7 +54,7 @@ impl<P: Calc> Dynamics<P> {
         let outer = self.outer_acceleration(r, m, reel)?;
         let (out, along) = directions(m.swing);
         let mut given = dot(outer, r.head[1]);
-        if let Some([lead, _]) = r.lead() {
+        if let Some([lead, _]) = r.lead {
             given += lead * dot(outer, out);
         }
         Some([given, dot(outer, along)])

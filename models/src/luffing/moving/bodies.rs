@@ -146,11 +146,12 @@ pub(crate) struct Moves<C, const N: usize> {
 }
 
 /// Weights of all bodies as a slope finds them: times their distance forward of the slewing axis (N·m), and times their travel
-/// forward and up for one radian of the driving link (N·m).
+/// forward and up for one radian of the driving link (N·m), and their height (J); a load that hangs is at the head.
 #[derive(Clone, Copy, Debug)]
 pub struct WeighedBodies<C> {
     pub forward: C,
     pub travel: Point<C>,
+    pub energy: C,
 }
 
 impl<C: Calc> WeighedBodies<C> {
@@ -158,6 +159,7 @@ impl<C: Calc> WeighedBodies<C> {
         WeighedBodies {
             forward: f(self.forward),
             travel: Point::new(f(self.travel.x), f(self.travel.y)),
+            energy: f(self.energy),
         }
     }
 }

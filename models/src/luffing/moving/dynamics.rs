@@ -115,7 +115,8 @@ impl<const N: usize> Coordinate for Gradient<N> {
             head: [r.head[0].map(of), r.head[1].map(of), r.head[2].map(of)],
             drive: [of(r.drive[0]), of(r.drive[1])],
             turn: r.turn.map(of),
-            beside: r.beside.map(of),
+            lead: r.lead.map(|lead| lead.map(of)),
+            weighed: r.weighed.map(|weighed| weighed.map(of)),
             shaft: r.shaft.map(|shaft| shaft.map(of)),
             outside: r.outside.map(|outside| outside.map(of)),
         })

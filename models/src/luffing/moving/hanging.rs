@@ -92,7 +92,7 @@ impl<P: Calc> Dynamics<P> {
             ease,
             head: self.head(r),
             bend: Some(Vector3::new(dd.x, dd.y, zero)),
-            lead: r.lead().map(|[lead, _]| lead),
+            lead: r.lead.map(|[lead, _]| lead),
             names: [self.names().acceleration, &s::D_OMEGA_SL],
         };
         let masses = [C::of(pendulum.mass), C::of(pendulum.cancelling())];

@@ -66,7 +66,7 @@ impl<const N: usize> Hydraulic<N> {
         let pulled = load.map_or(0.0, |load| {
             let along = Vector3::from_column_slice(&y[FIXED + 2..FIXED + 5]).normalize();
             let pull = load.mass * dynamics.gravity_at(psi).dot(&along);
-            pull * along.xy().dot(&Vector2::new(r.head[1].x, r.head[1].y))
+            pull * r.arm(along.xy().dot(&Vector2::new(r.head[1].x, r.head[1].y)))
         });
         r.moment - lifts - pulled
     }

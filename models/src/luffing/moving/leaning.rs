@@ -45,7 +45,7 @@ impl<P: Calc> Dynamics<P> {
     /// M_γl = W_Gx sin γ cos ψ + W_Gy (1 − cos γ), as gravity leans forward and lacks upright, and
     /// M_γ = −(G_u r_u + W_sx) sin γ sin ψ. [virtual work; Ports001, 6.4]
     pub(crate) fn leaned<C: Coordinate<P>>(&self, r: &Reduced<C>, psi: C) -> Option<[C; 2]> {
-        let (slope, weighed) = self.ground_below::<C>().zip(r.weighed())?;
+        let (slope, weighed) = self.ground_below::<C>().zip(r.weighed)?;
         let ((steep, level), (_, ahead)) = (slope.gamma_s.sin_cos(), psi.sin_cos());
         let travel = weighed.travel;
         let lifts = travel.x * steep * ahead + travel.y * (C::constant(1.0) - level);
@@ -96,10 +96,10 @@ impl<P: Calc> Dynamics<P> {
 impl Dynamics {
     /// Potential energy of the bodies that a slope makes of what they have on level ground (J), at a slewing angle (rad).
     pub(crate) fn leaned_energy(&self, r: &Reduced<f64>, psi: f64) -> f64 {
-        let Some((slope, weighed)) = self.slope().zip(r.weighed()) else {
+        let Some((slope, weighed)) = self.slope().zip(r.weighed) else {
             return 0.0;
         };
         let ((steep, level), (_, ahead)) = (Calc::sin_cos(slope.gamma_s), Calc::sin_cos(psi));
-        -(slope.g_u * slope.r_u + weighed.forward) * steep * ahead - r.energy * (1.0 - level)
+        -(slope.g_u * slope.r_u + weighed.forward) * steep * ahead - weighed.energy * (1.0 - level)
     }
 }

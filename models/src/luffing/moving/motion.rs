@@ -144,7 +144,7 @@ impl<const N: usize, P: Calc> MovingCrane<N, 1, P> {
             bar,
             swing: swing.def(&s::D_OMEGA_R),
             out: match (line, pull) {
-                (RopeAction::Taut { .. }, Some(pull)) if r.lead().is_some() => (free() - pull).def(&s::D_V_Q),
+                (RopeAction::Taut { .. }, Some(pull)) if r.lead.is_some() => (free() - pull).def(&s::D_V_Q),
                 (RopeAction::Taut { .. }, _) => still,
                 _ if state.grounded => free().def(&s::D_V_Q),
                 (_, Some(pull)) => (free() - pull).def(&s::D_V_Q),
@@ -383,6 +383,6 @@ impl<const N: usize> Struck<N, 1> for MovingCrane<N, 1> {
 
 /// What luffing adds to the acceleration of the rope's length (m/s²), by the bar's acceleration and by its rate.
 fn led<C: Calc>(r: &Reduced<C>, omega: C, bar: C) -> Option<(C, C)> {
-    let ([lead, _], bend) = r.lead().zip(r.bend(omega))?;
+    let ([lead, _], bend) = r.lead.zip(r.bend(omega))?;
     Some((lead * bar, bend))
 }

@@ -75,7 +75,7 @@ impl<P: Calc> Dynamics<P> {
         let mut along = dot(d, inward).def(&s::D_N);
         let (mut bend, change) = (dot(d, dd).def(&s::Q_A), dot(dd, swing).def(&s::DD_PHI));
         let (mut travel, mut rise) = (squared(d), d.y);
-        if let Some([lead, further]) = r.lead() {
+        if let Some([lead, further]) = r.lead {
             travel += lead * (lead - C::constant(2.0) * along);
             bend = (bend - lead * dot(dd, inward)).def(&s::Q_L);
             pull = (pull - further * square).def(&s::A_L);

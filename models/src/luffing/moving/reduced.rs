@@ -29,34 +29,16 @@ pub struct Reduced<C> {
     pub drive: [C; 2],
     /// Inertia about the slewing axis (kg·m²), and its change by the angle; zero where the crane does not slew.
     pub turn: [C; 2],
-    pub beside: LeadsOrLeans<C>,
+    /// Rope that one radian of the angle adds between head and load (m), and its change by the angle, where the mechanism
+    /// leads the load's rope away from the head.
+    pub lead: Option<[C; 2]>,
+    /// All weights, where a crane that slews stands on a slope.
+    pub weighed: Option<WeighedBodies<C>>,
     /// Of the motor, whose inertia is a part of the above unless it is loose.
     pub shaft: Option<MotorShaft<C>>,
     /// Moments of wind, slope and centrifugal forces for one radian of the angle (N·m), positive where they raise the driven bar,
     /// where it meets any.
     pub outside: Option<[C; 3]>,
-}
-
-/// What a mechanism does that few of them do, one thing at most: what leads the load's rope slews on level ground alone.
-#[derive(Clone, Copy, Debug)]
-pub enum LeadsOrLeans<C> {
-    Nothing,
-    /// Rope that one radian of the angle adds between head and load (m), and its change by the angle, where the mechanism
-    /// leads the load's rope away from the head.
-    Leads([C; 2]),
-    /// All weights, where a crane that slews stands on a slope.
-    Leans(WeighedBodies<C>),
-}
-
-impl<C: Calc> LeadsOrLeans<C> {
-    /// Over another scalar.
-    pub fn map<D>(self, f: impl Fn(C) -> D) -> LeadsOrLeans<D> {
-        match self {
-            LeadsOrLeans::Nothing => LeadsOrLeans::Nothing,
-            LeadsOrLeans::Leads(lead) => LeadsOrLeans::Leads(lead.map(f)),
-            LeadsOrLeans::Leans(weighed) => LeadsOrLeans::Leans(weighed.map(f)),
-        }
-    }
 }
 
 /// The shaft of a motor at one angle of the driving link: its turn for one radian of that, its inertia there (kg·m²), and how
@@ -122,37 +104,21 @@ impl<C: Calc> MotorShaft<C> {
 }
 
 impl<C: Calc> Reduced<C> {
-    /// As [`LeadsOrLeans::Leads`] has it.
-    pub fn lead(&self) -> Option<[C; 2]> {
-        match self.beside {
-            LeadsOrLeans::Leads(lead) => Some(lead),
-            _ => None,
-        }
-    }
-
-    /// As [`LeadsOrLeans::Leans`] has it.
-    pub fn weighed(&self) -> Option<WeighedBodies<C>> {
-        match self.beside {
-            LeadsOrLeans::Leans(weighed) => Some(weighed),
-            _ => None,
-        }
-    }
-
     /// How fast the load's rope is paid out at the head (m/s): by the hoist at a rate (m/s), and by the mechanism at its
     /// angular velocity (rad/s).
     pub fn paid(&self, rate: C, omega: C) -> C {
-        self.lead().map_or(rate, |[lead, _]| rate + lead * omega)
+        self.lead.map_or(rate, |[lead, _]| rate + lead * omega)
     }
 
     /// Arm of the rope's pull about the driven bar (m), of which `travel` (m) is the head's along the rope.
     pub fn arm(&self, travel: C) -> C {
-        self.lead().map_or(travel, |[lead, _]| travel + lead)
+        self.lead.map_or(travel, |[lead, _]| travel + lead)
     }
 
     /// What luffing at an angular velocity (rad/s) adds to the acceleration of the rope's length (m/s²), but for that of the
     /// bar.
     pub fn bend(&self, omega: C) -> Option<C> {
-        self.lead().map(|[_, change]| change * omega.square())
+        self.lead.map(|[_, change]| change * omega.square())
     }
 }
 
@@ -234,6 +200,8 @@ impl<C: Calc> Reduced<C> {
             moment += weight * v.y;
             energy += weight * r.y;
         }
+        // What a slope makes of weights it makes of the head, below which a load hangs plumb.
+        let (mut rise, mut height) = (zero, zero);
         if let Some((mass, [r, v, a])) = moves.load {
             let mass = mass.def(&s::MASS_Q);
             let weight = mass * C::of(gravity);
@@ -241,6 +209,8 @@ impl<C: Calc> Reduced<C> {
             slope += (C::constant(2.0) * (mass * dot(v, a))).def(&s::DI_RQ);
             moment += weight * v.y;
             energy += weight * r.y;
+            let [head, travel, _] = moves.head;
+            (rise, height) = (weight * (travel.y - v.y), weight * (head.y - r.y));
         }
         if let Some((mass, [r, v, a])) = moves.counterweight {
             let weight = mass * C::of(gravity);
@@ -258,14 +228,12 @@ impl<C: Calc> Reduced<C> {
             head: moves.head,
             drive: moves.drive,
             turn: moves.turn,
-            beside: match (moves.lead, moves.weighed) {
-                (Some(lead), _) => LeadsOrLeans::Leads(lead),
-                (None, Some([forward, ahead])) => LeadsOrLeans::Leans(WeighedBodies {
-                    forward,
-                    travel: Point::new(ahead, moment),
-                }),
-                (None, None) => LeadsOrLeans::Nothing,
-            },
+            lead: moves.lead,
+            weighed: moves.weighed.map(|[forward, ahead]| WeighedBodies {
+                forward,
+                travel: Point::new(ahead, if moves.load.is_some() { moment + rise } else { moment }),
+                energy: energy + height,
+            }),
             shaft: None,
             outside: None,
         }

@@ -80,7 +80,7 @@ impl<const N: usize> CraneState<N, 2> {
 
     /// Its rope at a head that moves so with each joint (m).
     fn rope(&self, r: &Reduced<f64>, head: &[Vector3<f64>; 2]) -> HeadRope<f64, 2> {
-        HeadRope::new(load_of(&self.y).place, head).led(r.lead().map(|[lead, _]| lead))
+        HeadRope::new(load_of(&self.y).place, head).led(r.lead.map(|[lead, _]| lead))
     }
 }
 

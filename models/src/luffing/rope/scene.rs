@@ -22,7 +22,7 @@ use crate::kernel::symbol::{Symbol, listed};
 use crate::luffing::at_rest::at_rest;
 use crate::luffing::boom_scene::{INTERPOLATION, MOVING_FIDELITY, balance_work, begun, motion, vanishing};
 use crate::luffing::counterweight::chapter;
-use crate::luffing::led::scene::{elsewhere, leaning};
+use crate::luffing::led::scene::elsewhere;
 use crate::luffing::moving;
 use crate::luffing::moving::control::luffing::CONTROL;
 use crate::luffing::moving::hoisting::HOISTING_KEYS;
@@ -388,7 +388,6 @@ fn moves(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<Moving
     let moving = Moving::new(v, gravity, &bodies, found)?;
     let rope = v.table("hoist_rope");
     found.extend(elsewhere(rope, s::H_Q.id, &moving));
-    found.extend(leaning(v));
     Some(moving)
 }
 
