@@ -147,6 +147,7 @@ units! {
     KG_PER_M3   = "kg/m3"    "kg/m³"   [-3 1 0 0]    1.0;
     M_PER_S2    = "m/s2"     "m/s²"    [1 0 -2 0]    1.0;
     RAD_PER_S2  = "rad/s2"   "rad/s²"  [0 0 -2 1]    1.0;
+    DEG_PER_S2  = "deg/s2"   "°/s²"    [0 0 -2 1]    DEGREE;
     M3          = "m3"       "m³"      [3 0 0 0]     1.0;
     CM3         = "cm3"      "cm³"     [3 0 0 0]     1e-6;
     PER_M       = "1/m"      "1/m"     [-1 0 0 0]    1.0;

@@ -96,10 +96,10 @@ fn longest(given: &LuffingGiven) -> f64 {
     given.sources.constants.map_or(0.0, |constants| constants.step)
 }
 
-fn refusal(given: &LuffingGiven, halt: Halt, size: f64) -> Fault {
+fn refusal(given: &LuffingGiven, halt: Halt, duration: f64) -> Fault {
     let angle = format!("{} = {}", given.theta.0.id, given.theta.0.written(given.theta.1));
     let longest = longest(given);
-    let (size, step) = (short(size), short(longest));
+    let (size, step) = (short(duration), short(longest));
     let most = if given.sources.fitted.oil {
         MOST_IMPLICIT
     } else {
@@ -118,6 +118,13 @@ fn refusal(given: &LuffingGiven, halt: Halt, size: f64) -> Fault {
                  less, or command less"
             )
         }
+        Halt::TooFast | Halt::TooSmall | Halt::TooMany if winds_up(given, duration) => format!(
+            "nothing is left of the rope of {} = {} within {size} s, as {} = {}: reel in less",
+            m::L_R.id,
+            m::L_R.written(state(&given.sources, L_R)),
+            m::V_R.id,
+            m::V_R.written(state(&given.sources, V_R))
+        ),
         Halt::TooFast => format!(
             "inner steps of {step} s are too long for the motion from {angle}, which changes by more than itself \
              within one: set step below {} s, or make the rope longer or the friction less",
@@ -132,6 +139,12 @@ fn refusal(given: &LuffingGiven, halt: Halt, size: f64) -> Fault {
 
 fn state(given: &MotionSources, place: usize) -> f64 {
     given.states.map_or(0.0, |states| states.0[place])
+}
+
+/// Whether a hoist's motor reels in all of the rope at the speed that its drum has.
+fn winds_up(given: &LuffingGiven, size: f64) -> bool {
+    let [length, rate] = [L_R, V_R].map(|place| state(&given.sources, place));
+    given.sources.motor.is_some() && length + rate * size <= REELED_IN
 }
 
 /// Refuses a step in which all of the rope is reeled in: its end would be sought in ever smaller inner steps.
