@@ -537,6 +537,62 @@ fn by_oil() {
     }
 }
 
+/// The same of one that slews on a slope, whose load does not hang plumb at the start: its cylinder holds what the rope pulls by the
+/// head and by its sheaves.
+#[test]
+fn by_oil_on_a_slope() {
+    let still = without(&without(READY, "[luffing.dynamics]"), "[luffing.hoisting]");
+    let mut still = model(&still.replace("fidelity = \"swing\"", "fidelity = \"static\""));
+    let slewing = "[slewing]\nJ_sl = \"1500 t.m2\"\npsi_sl = \"25 deg\"\nM_Bsl = \"90 MN.m\"\n[slewing.slope]\ngamma_s = \"2 deg\"\n\
+        G_u = \"900 kN\"\nr_u = \"-1.5 m\"\n";
+    let [oil, beside] = [OIL, ""].map(|oil| format!("{oil}\n{slewing}\n[luffing.limits]"));
+    let mut oil = moved("hydraulic", &[("M_S = \"3000 kN.m\"", ""), ("[luffing.limits]", &oil)]);
+    let brake = ("M_S = \"3000 kN.m\"", "M_S = \"0 kN.m\"");
+    let mut swing = moved("swing", &[brake, ("[luffing.limits]", &beside)]);
+    oil.start().expect("it stands");
+    near(get(&mut oil, "der(omega_1)"), 0.0, 1e-9);
+    for model in [&mut oil, &mut swing] {
+        set(model, "M_Bsl", 0.0);
+    }
+    for (i, theta) in [62.0_f64, 75.0, 90.0, 104.0, 118.0].into_iter().enumerate() {
+        let (theta, omega) = (theta.to_radians(), 0.02 * (1.0 + i as f64));
+        stand(&mut still, theta);
+        for model in [&mut oil, &mut swing] {
+            for (name, value) in [
+                ("theta_1", theta),
+                ("omega_1", omega),
+                ("psi_sl", 0.6),
+                ("omega_sl", -0.04),
+                ("l_R", 9.0),
+                ("x_Q", 1.0),
+                ("y_Q", -8.9),
+                ("z_Q", -0.8),
+                ("v_Qx", 0.2),
+                ("v_Qz", 0.1),
+            ] {
+                set(model, name, value);
+            }
+            model.update().expect("it moves there");
+        }
+        let moment = get(&mut oil, "F_c") * get(&mut still, "h_d");
+        set(&mut swing, "M_A", moment);
+        swing.update().expect("it moves there");
+        for name in [
+            "der(omega_1)",
+            "der(omega_sl)",
+            "der(v_Qx)",
+            "der(v_Qz)",
+            "S_R",
+            "der(l_R)",
+            "M_gammal",
+        ] {
+            let [found, wanted] = [get(&mut oil, name), get(&mut swing, name)];
+            assert!(wanted.abs() > 1e-3, "{name} {wanted}");
+            near(found, wanted, 1e-12 * wanted.abs().max(1.0));
+        }
+    }
+}
+
 /// A motor on the drum of a rope that luffing draws on: in the plane the crane moves as one that may slew, and is held.
 #[test]
 fn by_motor() {

@@ -149,20 +149,26 @@ fn equilibrium_of_the_bodies_has_the_centrifugal_forces() {
     }
 }
 
-/// The same of a single boom while it slews by itself, rigid and with a load that swings, in wind and on a slope: a boom that leads its load's rope over
-/// a sheave does so on level ground.
+/// With a boom and its trunk that lead the load's rope over sheaves.
+fn leading() -> impl Iterator<Item = (String, String)> {
+    let sheave = |on: &str, x: f64, y: f64| {
+        format!("[[luffing.rope.sheave]]\non = \"{on}\"\nx_r = \"{x} m\"\ny_r = \"{y} m\"\n")
+    };
+    let (on_trunk, on_frame) = (sheave("trunk", -1.0, 1.5), sheave("frame", -5.0, 11.0));
+    let rope = format!("\n[luffing.rope]\nm_h = \"4\"\nh_Q = \"12 m\"\n{on_trunk}{on_frame}");
+    let led = slewed().filter(|(name, _)| name == "trunk");
+    slewed().chain(led.map(move |(_, text)| ("led".to_owned(), text + &rope)))
+}
+
+/// The same of a single boom while it slews by itself, rigid and with a load that swings, in wind and on a slope.
 #[test]
 fn so_has_a_crane_that_slews_by_itself() {
     let slope = "[luffing.slewing.slope]\ngamma_s = \"2 deg\"\nG_u = \"900 kN\"\nr_u = \"-1.5 m\"\n";
     let slewing = "[luffing.slewing]\nJ_sl = \"5000 t.m2\"\nM_sl = \"90 kN.m\"\nA_ws = \"30 m2\"\nr_ws = \"6 m\"\npsi_sl = \"40 deg\"\n";
     let air = "[luffing.air]\nv_air = \"7 m/s\"\nchi_air = \"50 deg\"\n";
     let rope = "[luffing.hoisting]\nl_R = \"12 m\"\nv_h = \"0.1 m/s\"\na_h = \"0.3 m/s2\"\n";
-    for (name, text) in slewed().filter(|(_, text)| !text.contains("\"jib\"")) {
-        let leads = ["compensated", "rope"].contains(&name.as_str());
-        let own = format!(
-            "M_A = \"9 MN.m\"\nM_S = \"9 MN.m\"\nstep = \"1 ms\"\n{slewing}{}{air}",
-            if leads { "" } else { slope }
-        );
+    for (name, text) in leading().filter(|(_, text)| !text.contains("\"jib\"")) {
+        let own = format!("M_A = \"9 MN.m\"\nM_S = \"9 MN.m\"\nstep = \"1 ms\"\n{slewing}{slope}{air}");
         let swings = format!("{own}{rope}");
         for (level, more) in [("rigid", own), ("swing", swings)] {
             let text = moving(&text, level, &more);
@@ -177,8 +183,7 @@ fn so_has_a_crane_that_slews_by_itself() {
 fn a_slope_is_one_height_of_all_weights() {
     let slope = "[luffing.slewing]\nJ_sl = \"5000 t.m2\"\n[luffing.slewing.slope]\ngamma_s = \"3 deg\"\nG_u = \"900 kN\"\n\
         r_u = \"-1.5 m\"\n";
-    let level = |name: &str| ["compensated", "rope"].contains(&name);
-    for (name, text) in slewed().filter(|(name, _)| !level(name)) {
+    for (name, text) in leading() {
         let mut leans = model(&moving(&text, "rigid", &format!("M_A = \"9 MN.m\"\n{slope}")));
         let mut flat = model(&moving(&text, "rigid", "M_A = \"9 MN.m\"\nsigma_m = \"3 deg\"\n"));
         for part in PARTS {
